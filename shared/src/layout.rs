@@ -1,0 +1,199 @@
+//! Plain data in the form in which both backends read it: little-endian words, `repr(C)`, records that a kernel reads whole aligned to
+//! 16 bytes (the kernel compiler then loads them 128 bits at a time).
+//!
+//! Primitives are numbered through: triangles first, then spheres, then ellipsoids ([`SceneInfo`] has the counts).
+
+use bytemuck::{Pod, Zeroable};
+
+/// No primitive, no texture.
+pub const NONE: u32 = u32::MAX;
+
+/// A ray. `t` counts in lengths of `dir`; a hit satisfies `t_min <= t < t_max`.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Ray {
+    /// Origin, world space.
+    pub origin: [f32; 3],
+    /// Smallest accepted `t`, at least +0.
+    pub t_min: f32,
+    /// Direction, world space, any length but zero.
+    pub dir: [f32; 3],
+    /// Bound of `t`, not accepted itself.
+    pub t_max: f32,
+}
+
+/// The nearest hit of a ray: `t` is +∞ and `prim_id` is [`NONE`] when there is none.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Hit {
+    /// Distance in lengths of the ray's direction.
+    pub t: f32,
+    /// Number of the primitive.
+    pub prim_id: u32,
+}
+
+/// One row of the acceleration structure: eight words, one for each lane.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(32))]
+pub struct Row(pub [u32; 8]);
+
+/// A triangle as shading needs it (traversal has its own copy of the vertices in the rows).
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Triangle {
+    /// Vertices, world space.
+    pub vertices: [[f32; 3]; 3],
+    /// Index into the materials.
+    pub material: u32,
+    /// Unit shading normals at the vertices; all zero when the face is flat.
+    pub normals: [[f32; 3]; 3],
+    /// 1 when `normals` are to be interpolated, 0 when the face is flat.
+    pub smooth: u32,
+    /// Texture coordinates at the vertices.
+    pub uvs: [[f32; 2]; 3],
+    /// Zero.
+    pub padding: [u32; 2],
+}
+
+/// A sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Sphere {
+    /// Centre, world space.
+    pub centre: [f32; 3],
+    /// Radius, greater than zero.
+    pub radius: f32,
+    /// Index into the materials.
+    pub material: u32,
+    /// Zero.
+    pub padding: [u32; 3],
+}
+
+/// An ellipsoid: the points `p` with `|world_to_unit · (p − centre)| = 1`.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Ellipsoid {
+    /// Centre, world space.
+    pub centre: [f32; 3],
+    /// Index into the materials.
+    pub material: u32,
+    /// Rows of the matrix that takes the ellipsoid to the unit sphere; the fourth word of each is half the extent of its box along
+    /// x, y, z.
+    pub world_to_unit: [[f32; 4]; 3],
+}
+
+/// How a surface reflects light (Whitted 1980; Phong 1975). All colours are linear.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Material {
+    /// Colour of the surface; multiplied by the texture where there is one.
+    pub colour: [f32; 3],
+    /// Index into the textures, or [`NONE`].
+    pub texture: u32,
+    /// Second colour of a checkerboard.
+    pub checker_colour: [f32; 3],
+    /// Squares of a checkerboard per world unit; zero for no checkerboard.
+    pub checker_scale: f32,
+    /// Weight of the ambient term.
+    pub ambient: f32,
+    /// Weight of the diffuse term.
+    pub diffuse: f32,
+    /// Weight of the specular term.
+    pub specular: f32,
+    /// Phong's exponent.
+    pub shininess: f32,
+    /// Weight of what is seen in mirror direction.
+    pub reflection: f32,
+    /// Weight of what is seen through the surface (with Fresnel's terms when it is not zero).
+    pub transmission: f32,
+    /// Index of refraction inside over that outside.
+    pub eta: f32,
+    /// Zero.
+    pub padding: u32,
+}
+
+/// A picture among the texels.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Texture {
+    /// Index of its first texel; rows from top to bottom.
+    pub first: u32,
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+    /// Zero.
+    pub padding: u32,
+}
+
+/// A point light.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Light {
+    /// Position, world space.
+    pub position: [f32; 3],
+    /// Zero.
+    pub padding: u32,
+    /// Linear colour, including its strength.
+    pub colour: [f32; 3],
+    /// Zero.
+    pub padding1: u32,
+}
+
+/// What holds for a whole scene.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct SceneInfo {
+    /// Linear colour of the ambient light.
+    pub ambient: [f32; 3],
+    /// Number of triangles.
+    pub triangles: u32,
+    /// Linear colour of the sky straight up.
+    pub sky_zenith: [f32; 3],
+    /// Number of spheres.
+    pub spheres: u32,
+    /// Linear colour of the sky at the horizon.
+    pub sky_horizon: [f32; 3],
+    /// Number of ellipsoids.
+    pub ellipsoids: u32,
+    /// Equirectangular sky among the textures, or [`NONE`] for the gradient.
+    pub sky_texture: u32,
+    /// Number of lights.
+    pub lights: u32,
+    /// Levels of reflection and refraction behind the primary hit.
+    pub max_depth: u32,
+    /// Largest absolute coordinate of any primitive: sets the padding of boxes.
+    pub extent: f32,
+}
+
+/// One eye's camera and the band of rows that a run renders.
+///
+/// The direction through the centre of pixel `(x, y)`, not normalised, is `corner + x·step_x + y·step_y`; rows go from top to bottom.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct View {
+    /// The eye, world space.
+    pub eye: [f32; 3],
+    /// Columns of the picture.
+    pub width: u32,
+    /// From the eye to the centre of pixel (0, 0) on the zero-parallax plane.
+    pub corner: [f32; 3],
+    /// Rows of the picture.
+    pub height: u32,
+    /// From a pixel to the next one in its row.
+    pub step_x: [f32; 3],
+    /// First row of the band.
+    pub first_row: u32,
+    /// From a pixel to the one below.
+    pub step_y: [f32; 3],
+    /// Rows in the band; the band's buffers have `width · rows` elements.
+    pub rows: u32,
+    /// Unit vector into the scene, orthogonal to the picture.
+    pub forward: [f32; 3],
+    /// Distance from the eye to the zero-parallax plane (d of the papers, in world units).
+    pub distance: f32,
+    /// Disparity in pixels of a point at infinity (see `camera::disparity`).
+    pub interaxial_px: f32,
+    /// Zero.
+    pub padding: [u32; 3],
+}

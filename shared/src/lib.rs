@@ -1,0 +1,8 @@
+//! Every algorithm of Parallax, written once: the CPU calls these functions natively, the kernel compiler makes SPIR-V of them, and
+//! both give the same bits (see `math` for the arithmetic that this takes).
+//!
+//! * [`layout`]: the plain data that both backends read.
+#![no_std]
+#![forbid(unsafe_code)]
+
+pub mod layout;
