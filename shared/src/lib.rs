@@ -2,7 +2,9 @@
 //! both give the same bits (see `math` for the arithmetic that this takes).
 //!
 //! * [`layout`]: the plain data that both backends read.
-#![no_std]
+//! * [`output`]: from linear colours to a screen or coloured glasses.
+#![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
 pub mod layout;
+pub mod output;
