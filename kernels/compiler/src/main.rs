@@ -1,1 +1,3 @@
+//! The command `kernel-compiler`.
+
 fn main() {}

@@ -1,0 +1,134 @@
+//! Why a kernel cannot be compiled, and what to write instead.
+
+use std::fmt;
+
+/// A kernel that is not compiled, and why. A kernel may have several.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+pub struct Refusal {
+    /// The entry point.
+    pub entry: String,
+    /// The function that is the trouble, where the IR still tells.
+    pub function: Option<String>,
+    /// Why.
+    pub reason: Reason,
+}
+
+/// Why a kernel is refused.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Reason {
+    /// It can panic, in so many places.
+    Panic {
+        /// Number of calls.
+        calls: usize,
+    },
+    /// A function was not inlined.
+    NotInlined,
+    /// A function has no body in this crate.
+    NoBody,
+    /// Memory is allocated.
+    Allocation,
+    /// A call through a function pointer or trait object.
+    IndirectCall,
+    /// `f64` is used.
+    Double,
+    /// A value wider than 32 bits that could not be avoided; its name in the IR.
+    Wide(String),
+    /// A store of fewer than 32 bits into shared memory.
+    NarrowStore {
+        /// The bits.
+        bits: u32,
+    },
+    /// A static that is written.
+    MutableStatic(String),
+    /// An atomic access of something else than 32 bits.
+    WideAtomic,
+    /// A pointer in memory, from an integer, or into several places.
+    Pointer(String),
+    /// A copy or fill that cannot be unrolled.
+    Copy(String),
+    /// An access of a word at an address that is not a multiple of four.
+    Unaligned,
+    /// A barrier that not all invocations of a workgroup reach together.
+    DivergentBarrier,
+    /// Control flow that is not structured.
+    ControlFlow(String),
+    /// Something that this compiler does not know, by name.
+    Unknown(String),
+}
+
+impl Reason {
+    /// What to write instead.
+    pub fn instead(&self) -> &'static str {
+        match self {
+            Reason::Panic { .. } => {
+                "index with `.at()` and `.put()` or `get`, use wrapping or checked arithmetic, and test divisors for zero"
+            }
+            Reason::NotInlined => {
+                "write a loop for a recursion, and mark the function #[inline] or #[inline(always)]"
+            }
+            Reason::NoBody => "mark the function #[inline] in its crate, or use a function of `core`",
+            Reason::Allocation => "use an array of fixed length or `kernel_api::Stack`",
+            Reason::IndirectCall => "use a generic parameter or a `match`",
+            Reason::Double => "use f32",
+            Reason::Wide(_) => "use u32, and `kernel_api::device::mul_high` for the high half of a product",
+            Reason::NarrowStore { .. } => "store u32: the neighbouring bytes belong to other invocations",
+            Reason::MutableStatic(_) => "use a buffer or workgroup memory",
+            Reason::WideAtomic => "use AtomicU32 or AtomicI32",
+            Reason::Pointer(_) => "keep indices instead of references",
+            Reason::Copy(_) => "write a loop over the elements",
+            Reason::Unaligned => "read whole words and shift",
+            Reason::DivergentBarrier => {
+                "reach the barrier on every path, under conditions that are the same for all invocations"
+            }
+            Reason::ControlFlow(_) => {
+                "simplify the loop: one way out, no labelled breaks across several levels"
+            }
+            Reason::Unknown(_) => "nothing is known that does the same: please report it",
+        }
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::Panic { calls: 1 } => write!(f, "it can still panic"),
+            Reason::Panic { calls } => write!(f, "it can still panic, in {calls} places"),
+            Reason::NotInlined => {
+                write!(f, "the function was not inlined: is it recursive, or #[inline(never)]?")
+            }
+            Reason::NoBody => write!(
+                f,
+                "the function has no body here: a C function, or one of another crate without #[inline]"
+            ),
+            Reason::Allocation => write!(f, "memory is allocated"),
+            Reason::IndirectCall => write!(f, "a function pointer or trait object is called"),
+            Reason::Double => write!(f, "f64 is used, which devices lack"),
+            Reason::Wide(value) => {
+                write!(f, "the value %{value} is wider than 32 bits, which not all devices have")
+            }
+            Reason::NarrowStore { bits } => {
+                write!(f, "{bits} bits are stored into a buffer or workgroup memory")
+            }
+            Reason::MutableStatic(name) => write!(f, "the static `{name}` can be written"),
+            Reason::WideAtomic => write!(f, "an atomic access is not of 32 bits"),
+            Reason::Pointer(what) | Reason::Copy(what) | Reason::ControlFlow(what) => write!(f, "{what}"),
+            Reason::Unaligned => {
+                write!(f, "a word is accessed at an address that may not be a multiple of four")
+            }
+            Reason::DivergentBarrier => {
+                write!(f, "a barrier stands under a condition that differs between invocations")
+            }
+            Reason::Unknown(what) => write!(f, "{what} is not known to this compiler"),
+        }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "kernel `{}`", self.entry)?;
+        if let Some(function) = &self.function {
+            write!(f, ", `{function}`")?;
+        }
+        write!(f, ": {}; instead: {}", self.reason, self.reason.instead())
+    }
+}
