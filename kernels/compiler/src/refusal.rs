@@ -50,6 +50,8 @@ pub enum Reason {
     Unaligned,
     /// A barrier that not all invocations of a workgroup reach together.
     DivergentBarrier,
+    /// A subgroup operation that not all invocations of a workgroup reach together.
+    DivergentSubgroup,
     /// Control flow that is not structured.
     ControlFlow(String),
     /// Something that this compiler does not know, by name.
@@ -77,6 +79,7 @@ impl Reason {
             Reason::Pointer(_) => "keep indices instead of references",
             Reason::Copy(_) => "write a loop over the elements",
             Reason::Unaligned => "read whole words and shift",
+            Reason::DivergentSubgroup => "call it on every path, and let the others hand in a neutral value",
             Reason::DivergentBarrier => {
                 "reach the barrier on every path, under conditions that are the same for all invocations"
             }
@@ -117,6 +120,9 @@ impl fmt::Display for Reason {
             }
             Reason::DivergentBarrier => {
                 write!(f, "a barrier stands under a condition that differs between invocations")
+            }
+            Reason::DivergentSubgroup => {
+                write!(f, "a subgroup operation stands under a condition that differs between invocations")
             }
             Reason::Unknown(what) => write!(f, "{what} is not known to this compiler"),
         }
