@@ -1,4 +1,5 @@
 //! Parallax: stereo and multi-view ray tracing with one source for CPU and GPU and the same bits on both.
 
+pub mod backend;
 pub mod rig;
 pub mod scene;

@@ -1,10 +1,12 @@
 //! Every algorithm of Parallax, written once: the CPU calls these functions natively, the kernel compiler makes SPIR-V of them, and
 //! both give the same bits (see `math` for the arithmetic that this takes).
 //!
+//! * [`math`]: the only door to arithmetic beyond `+ − ×`.
 //! * [`layout`]: the plain data that both backends read.
 //! * [`output`]: from linear colours to a screen or coloured glasses.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
 pub mod layout;
+pub mod math;
 pub mod output;

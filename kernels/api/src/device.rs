@@ -12,6 +12,14 @@ pub fn mul_high(a: u32, b: u32) -> u32 {
     return unsafe { shim::__k_umulhi(a, b) };
 }
 
+/// This machine's own square root: correctly rounded on a CPU, LLVM's intrinsic in a kernel.
+///
+/// `core` has no stable name for it, so it is `std`'s, of which nothing but the instruction is left.
+#[inline(always)]
+pub fn native_sqrt(a: f32) -> f32 {
+    a.sqrt()
+}
+
 /// Keeps what follows from being copied into both sides of a condition before it: a barrier must stay one barrier. Its cost exceeds
 /// the one up to which rustc's MIR jump threading copies a block, so it must stand in the kernel's own MIR.
 #[doc(hidden)]

@@ -9,6 +9,9 @@
 //! * [`device`]: barriers, subgroup operations and other things that plain Rust lacks.
 #![no_std]
 
+#[cfg(not(target_arch = "spirv"))]
+extern crate std;
+
 pub mod device;
 pub mod memory;
 pub mod pass;

@@ -1,0 +1,56 @@
+//! Which backend to use.
+
+use crate::backend::{BackendError, Cpu, Device};
+
+/// The arithmetic of a run (see `parallax_shared`).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Profile {
+    /// The same bits on every backend.
+    #[default]
+    Strict,
+    /// The driver's own division, square root and contraction: agreement within stated bounds.
+    Fast,
+}
+
+impl Profile {
+    /// Its name on the command line and in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Profile::Strict => "strict",
+            Profile::Fast => "fast",
+        }
+    }
+}
+
+/// Which kind of backend is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Choice {
+    /// A hardware GPU if there is a usable one, else the CPU; never a software driver.
+    #[default]
+    Auto,
+    /// This machine's processor.
+    Cpu,
+    /// A GPU, or an error.
+    Gpu,
+}
+
+/// What a user asks for.
+#[derive(Clone, Debug, Default)]
+pub struct Selection {
+    /// Kind of backend.
+    pub backend: Choice,
+    /// Part of the adapter's name, in any case.
+    pub adapter: Option<String>,
+    /// Arithmetic.
+    pub profile: Profile,
+    /// Threads of the CPU backend; 0 for one per core.
+    pub threads: usize,
+}
+
+/// The backend that `selection` describes.
+pub fn select(selection: &Selection) -> Result<Device, BackendError> {
+    if selection.backend == Choice::Gpu {
+        return Err(BackendError::NoAdapter { reason: "this build has no GPU backend".into() });
+    }
+    Ok(Device::Cpu(Cpu::new(selection.threads)?))
+}
