@@ -3,7 +3,7 @@
 use crate::backend::{BackendError, Cpu, Device};
 
 /// The arithmetic of a run (see `parallax_shared`).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, clap::ValueEnum)]
 pub enum Profile {
     /// The same bits on every backend.
     #[default]
@@ -23,7 +23,7 @@ impl Profile {
 }
 
 /// Which kind of backend is asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Choice {
     /// A hardware GPU if there is a usable one, else the CPU; never a software driver.
     #[default]
