@@ -25,10 +25,23 @@ impl<T> Clone for Buffer<T> {
 
 impl<T> Copy for Buffer<T> {}
 
+impl<T> core::fmt::Debug for Buffer<T> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "buffer {} of backend {}, {} elements", self.id, self.owner, self.len)
+    }
+}
+
 impl<T> Buffer<T> {
     /// For backends: the handle of buffer `id` of backend `owner`.
     pub const fn new(owner: u32, id: u32, len: u32) -> Self {
         Self { id, owner, len, element: PhantomData }
+    }
+
+    /// The same buffer as words without a sign; for the expansion of `#[spirv]`.
+    #[doc(hidden)]
+    pub const fn words(self) -> Buffer<u32> {
+        assert!(size_of::<T>() == 4);
+        Buffer::new(self.owner, self.id, self.len)
     }
 }
 
@@ -43,7 +56,7 @@ pub enum Access {
     Read,
     /// A slice of which each element is written by at most one invocation.
     Write,
-    /// Words that any invocation may change atomically.
+    /// Words (`u32` or `i32`) that any invocation may change atomically.
     Atomic,
 }
 
@@ -92,15 +105,14 @@ pub enum Bound<'a> {
 
 /// A CPU's view of buffers.
 ///
-/// # Safety contract of implementors
-/// `write` hands out overlapping views if asked twice for one buffer; a backend must refuse a pass that binds a buffer for writing
-/// and again for anything else.
+/// `write` hands out overlapping views if asked twice for one buffer: a backend refuses a pass that binds a buffer for writing and
+/// again for anything else before it asks for [`Pass::views`] (see the contract of [`Out::new`]).
 pub trait Memory {
     /// The elements of a buffer that is read.
     fn read<T: Pod>(&self, buffer: Buffer<T>) -> &[T];
     /// A view of a buffer that is written.
     fn write<T: Pod>(&self, buffer: Buffer<T>) -> Out<'_, T>;
-    /// The words of a buffer that is changed atomically.
+    /// The words of a buffer that is changed atomically; signed ones are handed in and out as unsigned.
     fn atomic(&self, buffer: Buffer<u32>) -> &[AtomicU32];
 }
 

@@ -1,0 +1,109 @@
+//! An invocation's own stack.
+
+use core::mem::MaybeUninit;
+
+/// A bounded stack of an invocation's own; nothing is cleared when it is made.
+///
+/// ```
+/// use kernel_api::Stack;
+///
+/// let mut stack = Stack::<u32, 2>::new();
+/// assert!(stack.push(1) && stack.push(2));
+/// assert!(!stack.push(3), "it is full");
+/// assert_eq!(stack.pop(), Some(2));
+/// ```
+pub struct Stack<T, const N: usize> {
+    items: [MaybeUninit<T>; N],
+    len: u32,
+}
+
+impl<T: Copy, const N: usize> Stack<T, N> {
+    /// An empty stack.
+    #[inline(always)]
+    #[allow(clippy::new_without_default)] // `Default` would promise a cheap copy of something that is `N` items large.
+    pub fn new() -> Self {
+        const { assert!(N <= u32::MAX as usize) };
+        Self { items: [const { MaybeUninit::uninit() }; N], len: 0 }
+    }
+
+    /// Number of items.
+    #[inline(always)]
+    pub fn len(&self) -> u32 {
+        self.len
+    }
+
+    /// Whether there is no item.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// Puts `item` on top; returns `false`, and leaves the stack as it was, when it is full.
+    #[inline(always)]
+    pub fn push(&mut self, item: T) -> bool {
+        let fits = (self.len as usize) < N;
+        if fits {
+            // SAFETY: `len < N`.
+            unsafe { *self.items.get_unchecked_mut(self.len as usize) = MaybeUninit::new(item) };
+            self.len += 1;
+        }
+        fits
+    }
+
+    /// Takes the top item.
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<T> {
+        if self.len == 0 {
+            return None;
+        }
+        self.len -= 1;
+        // SAFETY: every item below `len` has been pushed, and `len <= N` always.
+        Some(unsafe { self.items.get_unchecked(self.len as usize).assume_init() })
+    }
+
+    /// Removes all items.
+    #[inline(always)]
+    pub fn clear(&mut self) {
+        self.len = 0;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Stack;
+
+    #[test]
+    fn the_last_pushed_comes_first() {
+        let mut stack = Stack::<(u32, f32), 3>::new();
+        assert!(stack.is_empty() && stack.pop().is_none());
+        for k in 0..3 {
+            assert!(stack.push((k, k as f32)));
+        }
+        assert_eq!(stack.pop(), Some((2, 2.0)));
+        assert!(stack.push((7, 7.0)));
+        assert_eq!(
+            (stack.pop(), stack.pop(), stack.pop(), stack.pop()),
+            (Some((7, 7.0)), Some((1, 1.0)), Some((0, 0.0)), None)
+        );
+    }
+
+    #[test]
+    fn a_full_stack_refuses_and_keeps_what_it_has() {
+        let mut stack = Stack::<u32, 1>::new();
+        assert!(stack.push(1) && !stack.push(2));
+        assert_eq!((stack.len(), stack.pop()), (1, Some(1)));
+    }
+
+    #[test]
+    fn a_cleared_stack_is_empty() {
+        let mut stack = Stack::<u32, 2>::new();
+        stack.push(1);
+        stack.clear();
+        assert_eq!(stack.pop(), None);
+    }
+
+    #[test]
+    fn a_stack_for_nothing_holds_nothing() {
+        assert!(!Stack::<u32, 0>::new().push(1));
+    }
+}
