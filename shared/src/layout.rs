@@ -2,6 +2,9 @@
 //! 16 bytes (the kernel compiler then loads them 128 bits at a time).
 //!
 //! Primitives are numbered through: triangles first, then spheres, then ellipsoids ([`SceneInfo`] has the counts).
+//!
+//! A pass binds few buffers (eight storage buffers must do), so everything that is small lies in one buffer of [`Record`]s, section
+//! after section: spheres, ellipsoids, materials, lights, textures. `scene::SceneView` reads it.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -36,6 +39,52 @@ pub struct Hit {
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(32))]
 pub struct Row(pub [u32; 8]);
+
+/// Sixteen bytes of a sphere, an ellipsoid, a material, a light or a texture.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Record(pub [u32; 4]);
+
+/// What shading knows of the point that a ray hits.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Surface {
+    /// The point, world space, closer to the surface than what origin + t · dir would give.
+    pub position: [f32; 3],
+    /// Number of the primitive, or [`NONE`]; then everything else but the disparity is zero.
+    pub prim_id: u32,
+    /// Unit geometric normal on the side that the ray came from; zero for a triangle of zero area.
+    pub normal: [f32; 3],
+    /// Bound of the distance between `position` and the surface as traversal sees it, for the origins of secondary rays.
+    pub error: f32,
+    /// Unit normal for shading, on the same side of the shading surface.
+    pub shading_normal: [f32; 3],
+    /// Index of the material; [`BACK`] is set when the ray came from inside (or from behind a triangle).
+    pub material: u32,
+    /// Texture coordinates; v points up.
+    pub uv: [f32; 2],
+    /// Position in the right view less that in the left one, in pixels (see `camera::disparity_px`).
+    pub disparity: f32,
+    /// Zero.
+    pub padding: u32,
+}
+
+/// Bit of [`Surface::material`].
+pub const BACK: u32 = 1 << 31;
+
+/// Rays traced for one pixel, by kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct RayCounts {
+    /// From the eye.
+    pub primary: u32,
+    /// To a light.
+    pub shadow: u32,
+    /// In mirror direction.
+    pub reflected: u32,
+    /// Through a surface.
+    pub refracted: u32,
+}
 
 /// A triangle as shading needs it (traversal has its own copy of the vertices in the rows).
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
@@ -164,6 +213,14 @@ pub struct SceneInfo {
     pub max_depth: u32,
     /// Largest absolute coordinate of any primitive: sets the padding of boxes.
     pub extent: f32,
+    /// First [`Record`] of the ellipsoids; the spheres begin at 0.
+    pub first_ellipsoid: u32,
+    /// First record of the materials.
+    pub first_material: u32,
+    /// First record of the lights.
+    pub first_light: u32,
+    /// First record of the textures.
+    pub first_texture: u32,
 }
 
 /// One eye's camera and the band of rows that a run renders.

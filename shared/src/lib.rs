@@ -2,11 +2,16 @@
 //! both give the same bits (see `math` for the arithmetic that this takes).
 //!
 //! * [`math`]: the only door to arithmetic beyond `+ − ×`.
-//! * [`layout`]: the plain data that both backends read.
+//! * [`layout`]: the plain data that both backends read; [`scene`]: how a pass sees it; [`effects`]: what a scene calls for.
+//! * [`camera`]: the eyes; [`geom`]: primitives; [`shading`]: what light does at them.
 //! * [`output`]: from linear colours to a screen or coloured glasses.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
 
+pub mod camera;
+pub mod effects;
+pub mod geom;
 pub mod layout;
 pub mod math;
 pub mod output;
+pub mod scene;
