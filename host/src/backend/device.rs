@@ -1,6 +1,6 @@
 //! A backend that was chosen at run time.
 
-use crate::backend::{Backend, BackendError, Cpu};
+use crate::backend::{Backend, BackendError, Cpu, Gpu};
 use bytemuck::Pod;
 use kernel_api::{Buffer, Pass};
 
@@ -8,6 +8,8 @@ use kernel_api::{Buffer, Pass};
 pub enum Device {
     /// This machine's processor.
     Cpu(Cpu),
+    /// A GPU, or what stands in for one.
+    Gpu(Box<Gpu>),
 }
 
 /// Calls the same method of whichever backend it is.
@@ -15,6 +17,7 @@ macro_rules! each {
     ($self:ident, $backend:ident => $call:expr) => {
         match $self {
             Device::Cpu($backend) => $call,
+            Device::Gpu($backend) => $call,
         }
     };
 }

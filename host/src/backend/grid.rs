@@ -28,6 +28,11 @@ impl Grid {
         self.groups.iter().fold(1, |product: u64, &groups| product.saturating_mul(groups as u64))
     }
 
+    /// Number of invocations; saturates.
+    pub fn invocations(&self) -> u64 {
+        self.threads.iter().fold(self.count(), |product, &threads| product.saturating_mul(threads.into()))
+    }
+
     /// The workgroup with number `index`, x fastest.
     #[inline(always)]
     pub fn group(&self, index: u64) -> [u32; 3] {

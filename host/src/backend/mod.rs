@@ -32,12 +32,14 @@ mod arguments;
 pub mod cpu;
 mod device;
 mod error;
+pub mod gpu;
 mod grid;
 mod selection;
 
 pub use cpu::Cpu;
 pub use device::Device;
 pub use error::BackendError;
+pub use gpu::{AdapterReport, Gpu, adapters};
 pub use selection::{Choice, Profile, Selection, select};
 
 use bytemuck::Pod;

@@ -1,6 +1,6 @@
 //! Which backend to use.
 
-use crate::backend::{BackendError, Cpu, Device};
+use crate::backend::{BackendError, Cpu, Device, Gpu};
 
 /// The arithmetic of a run (see `parallax_shared`).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, clap::ValueEnum)]
@@ -48,9 +48,17 @@ pub struct Selection {
 }
 
 /// The backend that `selection` describes.
+///
+/// An automatic choice falls back on the CPU when no hardware GPU can be opened, unless an adapter is named. A forced GPU may be a
+/// software driver (the first one listed) when there is no hardware; a named adapter may be anything.
 pub fn select(selection: &Selection) -> Result<Device, BackendError> {
-    if selection.backend == Choice::Gpu {
-        return Err(BackendError::NoAdapter { reason: "this build has no GPU backend".into() });
+    let (profile, name) = (selection.profile, selection.adapter.as_deref());
+    let cpu = || Ok(Device::Cpu(Cpu::new(selection.threads)?));
+    let gpu = |opened: Result<Gpu, BackendError>| Ok(Device::Gpu(Box::new(opened?)));
+    match (selection.backend, name) {
+        (Choice::Cpu, None) => cpu(),
+        (Choice::Cpu, Some(name)) => Err(BackendError::AdapterOfCpu { name: name.into() }),
+        (Choice::Gpu, _) | (Choice::Auto, Some(_)) => gpu(Gpu::open(profile, name)),
+        (Choice::Auto, None) => gpu(Gpu::open_hardware(profile)).or_else(|_| cpu()),
     }
-    Ok(Device::Cpu(Cpu::new(selection.threads)?))
 }
