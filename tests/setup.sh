@@ -64,3 +64,6 @@ if [ -z "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ]; then
         export VK_DRIVER_FILES="$drivers" VK_ICD_FILENAMES="$drivers"
     fi
 fi
+
+# Mesa's layer that asks a compositor which device it prefers complains where there is no compositor.
+export NODEVICE_SELECT=1

@@ -1,1 +1,3 @@
 //! What the tests of Parallax share.
+
+pub mod gpu;
