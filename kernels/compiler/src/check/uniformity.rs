@@ -60,7 +60,10 @@ impl Divergence<'_> {
         let mut from_operands = false;
         op.for_each_operand(|value| from_operands |= self.holds(value));
         match op {
-            Op::Builtin(builtin, _) => !matches!(builtin, Builtin::WorkgroupId | Builtin::NumWorkgroups),
+            Op::Builtin(builtin, _) => {
+                use Builtin::{NumWorkgroups, SubgroupSize, WorkgroupId};
+                !matches!(builtin, WorkgroupId | NumWorkgroups | SubgroupSize)
+            }
             Op::Subgroup(..) | Op::AtomicWord(..) | Op::CompareExchangeWord(..) | Op::AtomicLoadWord(..) => {
                 true
             }

@@ -1,5 +1,8 @@
 //! Kernels made by hand, for the tests of each stage.
 
+pub mod operations;
+pub mod places;
+
 use crate::ir::{
     BinaryOp, Block, BlockId, Function, Id, IntPredicate, Kernel, Op, Root, RootId, Space, Terminator, Type,
     Value,
@@ -97,4 +100,36 @@ pub fn add(a: Value, b: Value) -> Op {
 /// `a < b` of unsigned words.
 pub fn less(a: Value, b: Value) -> Op {
     Op::IntCompare(IntPredicate::Ult, a, b)
+}
+
+/// What `spirv-val` says of a module: nothing if it is valid, and nothing, but loudly, if there is no `spirv-val`.
+pub fn spirv_problems(words: &[u32]) -> Option<String> {
+    let file = tempfile::NamedTempFile::new().expect("a temporary file");
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    std::fs::write(file.path(), bytes).expect("a temporary file can be written");
+    let validator = std::process::Command::new("spirv-val");
+    match { validator }.args(["--target-env", "vulkan1.1"]).arg(file.path()).output() {
+        Ok(output) if output.status.success() => None,
+        Ok(output) => Some(String::from_utf8_lossy(&output.stderr).into_owned()),
+        Err(_) => {
+            eprintln!(
+                "SKIPPED: a module was not validated, since spirv-val (Debian: spirv-tools) is not installed"
+            );
+            None
+        }
+    }
+}
+
+/// What naga's validator says of a text: nothing if it is valid.
+pub fn wgsl_problems(text: &str) -> Option<String> {
+    let module = match naga::front::wgsl::parse_str(text) {
+        Ok(module) => module,
+        Err(error) => return Some(error.emit_to_string(text)),
+    };
+    let (flags, capabilities) = (naga::valid::ValidationFlags::all(), naga::valid::Capabilities::all());
+    let validated = naga::valid::Validator::new(flags, capabilities)
+        .subgroup_stages(naga::valid::ShaderStages::COMPUTE)
+        .subgroup_operations(naga::valid::SubgroupOperationSet::all())
+        .validate(&module);
+    validated.err().map(|error| error.emit_to_string(text))
 }
