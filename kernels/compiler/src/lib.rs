@@ -36,6 +36,7 @@ pub mod manifest;
 pub mod output;
 pub mod profile;
 mod record;
+pub mod parse;
 pub mod refusal;
 pub mod sources;
 pub mod structure;

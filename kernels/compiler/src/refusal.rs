@@ -42,6 +42,8 @@ pub enum Reason {
     MutableStatic(String),
     /// An atomic access of something else than 32 bits.
     WideAtomic,
+    /// A fence, or an atomic access that is not relaxed.
+    Ordering(String),
     /// A pointer in memory, from an integer, or into several places.
     Pointer(String),
     /// A copy or fill that cannot be unrolled.
@@ -76,6 +78,7 @@ impl Reason {
             Reason::NarrowStore { .. } => "store u32: the neighbouring bytes belong to other invocations",
             Reason::MutableStatic(_) => "use a buffer or workgroup memory",
             Reason::WideAtomic => "use AtomicU32 or AtomicI32",
+            Reason::Ordering(_) => "use Ordering::Relaxed, and a barrier or another pass for order",
             Reason::Pointer(_) => "keep indices instead of references",
             Reason::Copy(_) => "write a loop over the elements",
             Reason::Unaligned => "read whole words and shift",
@@ -114,7 +117,10 @@ impl fmt::Display for Reason {
             }
             Reason::MutableStatic(name) => write!(f, "the static `{name}` can be written"),
             Reason::WideAtomic => write!(f, "an atomic access is not of 32 bits"),
-            Reason::Pointer(what) | Reason::Copy(what) | Reason::ControlFlow(what) => write!(f, "{what}"),
+            Reason::Ordering(what)
+            | Reason::Pointer(what)
+            | Reason::Copy(what)
+            | Reason::ControlFlow(what) => write!(f, "{what}"),
             Reason::Unaligned => {
                 write!(f, "a word is accessed at an address that may not be a multiple of four")
             }

@@ -120,8 +120,6 @@ pub enum SourceOp {
     Atomic(AtomicOp, Value, Value),
     /// `(pointer, expected, new)`; yields `{ old, whether it was as expected }`.
     CompareExchange(Value, Value, Value),
-    /// A fence.
-    Fence,
     /// A field of an aggregate.
     ExtractValue(Value, Vec<u32>),
     /// `(aggregate, field, where)`.
@@ -174,10 +172,7 @@ impl SourceOp {
     /// As [`Op::has_effect`].
     pub fn has_effect(&self) -> bool {
         match self {
-            SourceOp::Store { .. }
-            | SourceOp::Atomic(..)
-            | SourceOp::CompareExchange(..)
-            | SourceOp::Fence => true,
+            SourceOp::Store { .. } | SourceOp::Atomic(..) | SourceOp::CompareExchange(..) => true,
             SourceOp::Load { atomic, .. } => *atomic,
             SourceOp::Call(..) => true,
             _ => false,

@@ -52,7 +52,7 @@ macro_rules! visit {
                 SourceOp::CompareExchange(a, b, c) | SourceOp::InsertElement(a, b, c) => {
                     [a, b, c].into_iter().for_each(visit)
                 }
-                SourceOp::Alloca(_) | SourceOp::Fence => {}
+                SourceOp::Alloca(_) => {}
             }
         }
     };

@@ -1,0 +1,4 @@
+//! Clean-up of lowered kernels.
+
+pub mod builder;
+pub mod fold;
