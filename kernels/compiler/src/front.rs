@@ -1,8 +1,11 @@
 //! The front half of the compiler: from a crate to lowered kernels.
 
+use crate::cleanup::cleanup;
 use crate::driver::{self, DriverError};
-use crate::ir::Kernel;
-use crate::refusal::Refusal;
+use crate::ir::{Kernel, Op};
+use crate::lower::{self, ENTRY, lower};
+use crate::parse::{Unread, parse};
+use crate::refusal::{Reason, Refusal};
 use std::path::{Path, PathBuf};
 
 /// What the front half is asked for.
@@ -25,7 +28,7 @@ pub struct FrontOptions {
 pub struct Front {
     /// The lowered, cleaned kernels, by name.
     pub kernels: Vec<Kernel>,
-    /// All problems of all other kernels.
+    /// All problems of all other kernels, by kernel.
     pub refusals: Vec<Refusal>,
 }
 
@@ -34,6 +37,48 @@ pub struct Front {
 /// # Errors
 /// When cargo cannot be run or the crate does not compile.
 pub fn kernels(crate_dir: &Path, options: &FrontOptions) -> Result<Front, DriverError> {
-    let _text = driver::llvm_ir(crate_dir, options)?;
-    Ok(Front::default())
+    Ok(kernels_of(&driver::llvm_ir(crate_dir, options)?, options))
+}
+
+/// Lowers the kernels of a module's text.
+pub fn kernels_of(text: &str, options: &FrontOptions) -> Front {
+    let wanted = |symbol: &str| {
+        let name = symbol.strip_prefix(ENTRY);
+        name.is_some_and(|name| options.only.is_empty() || options.only.iter().any(|only| only == name))
+    };
+    let parsed = parse(text, wanted);
+    let mut front = Front::default();
+    for Unread { name, reasons } in parsed.unread {
+        let refuse =
+            |reason| Refusal { entry: name.trim_start_matches(ENTRY).into(), function: None, reason };
+        front.refusals.extend(reasons.into_iter().map(refuse));
+    }
+    for function in &parsed.module.functions {
+        match lower(&parsed.module, function, lower::Options { vec4: !options.no_vec4 }) {
+            Ok(mut kernel) => {
+                cleanup(&mut kernel);
+                match leftover(&kernel, options.wide) {
+                    None => front.kernels.push(kernel),
+                    Some(reason) => {
+                        front.refusals.push(Refusal { entry: kernel.name, function: None, reason });
+                    }
+                }
+            }
+            Err(refusals) => front.refusals.extend(refusals),
+        }
+    }
+    front.kernels.sort_by(|a, b| a.name.cmp(&b.name));
+    front.refusals.sort_by(|a, b| a.entry.cmp(&b.entry));
+    front
+}
+
+/// What no device can do and is still there after clean-up.
+fn leftover(kernel: &Kernel, wide: bool) -> Option<Reason> {
+    for id in kernel.function.placed() {
+        if let Op::Source(op) = &kernel.function[id].op {
+            return Some(Reason::Unknown(format!("an aggregate or vector that stays whole ({op:?})")));
+        }
+    }
+    let name = kernel.wide_values().into_iter().next().filter(|_| !wide)?;
+    Some(Reason::Wide(name.to_string()))
 }

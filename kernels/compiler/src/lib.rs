@@ -27,16 +27,20 @@
 
 pub mod check;
 pub mod compile;
+pub mod cleanup;
+pub mod demangle;
 pub mod driver;
 pub mod emit;
 pub mod front;
 pub mod interpret;
 pub mod ir;
+pub mod lower;
 pub mod manifest;
 pub mod output;
 pub mod profile;
 mod record;
 pub mod parse;
+pub mod profile;
 pub mod refusal;
 pub mod sources;
 pub mod structure;

@@ -1,7 +1,9 @@
 //! Appends instructions to a block under construction, folding as it goes.
 
 use super::fold::fold;
-use crate::ir::{BinaryOp, CastOp, FloatPredicate, Function, Id, IntPredicate, MathOp, Op, SourceOp, Type, Value};
+use crate::ir::{
+    BinaryOp, CastOp, FloatPredicate, Function, Id, IntPredicate, MathOp, Op, SourceOp, Type, Value,
+};
 
 /// A function and the block that is being written.
 #[derive(Debug, Default)]

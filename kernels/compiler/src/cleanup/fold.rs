@@ -13,7 +13,9 @@ pub fn fold(function: &Function, op: &Op, ty: &Type) -> Option<Value> {
         Op::Select(condition, a, b) => select(condition, a, b),
         Op::Cast(op, value) => cast(function, *op, value, ty),
         Op::Source(SourceOp::ExtractValue(aggregate, path)) => extract_value(function, aggregate, path),
-        Op::Source(SourceOp::ExtractElement(vector, index)) => extract_element(function, vector, index.as_int()?),
+        Op::Source(SourceOp::ExtractElement(vector, index)) => {
+            extract_element(function, vector, index.as_int()?)
+        }
         _ => None,
     }
 }
@@ -97,9 +99,13 @@ fn cast(function: &Function, op: CastOp, value: &Value, ty: &Type) -> Option<Val
         (CastOp::Bitcast, Value::F32(x), _) if *ty == Type::I32 => Some(Value::u32(*x)),
         (CastOp::Bitcast, _, Some(x)) if *ty == Type::F32 => Some(Value::F32(x as u32)),
         (CastOp::Trunc | CastOp::ZExt, _, Some(x)) => Some(Value::int(bits, x)),
-        (CastOp::SExt, _, Some(x)) => Some(Value::int(bits, sign_extend(x, function.type_of(value).bits()) as u128)),
+        (CastOp::SExt, _, Some(x)) => {
+            Some(Value::int(bits, sign_extend(x, function.type_of(value).bits()) as u128))
+        }
         (CastOp::Bitcast, Value::Inst(id), _) => match &function[*id].op {
-            Op::Cast(CastOp::Bitcast, original) if function.type_of(original) == *ty => Some(original.clone()),
+            Op::Cast(CastOp::Bitcast, original) if function.type_of(original) == *ty => {
+                Some(original.clone())
+            }
             _ => None,
         },
         (CastOp::Trunc, Value::Inst(id), _) => truncation(function, *id, ty),
@@ -110,14 +116,20 @@ fn cast(function: &Function, op: CastOp, value: &Value, ty: &Type) -> Option<Val
 /// The truncation of something that was extended, or put together from two words.
 fn truncation(function: &Function, id: Id, ty: &Type) -> Option<Value> {
     match &function[id].op {
-        Op::Cast(CastOp::ZExt | CastOp::SExt, original) if function.type_of(original) == *ty => Some(original.clone()),
+        Op::Cast(CastOp::ZExt | CastOp::SExt, original) if function.type_of(original) == *ty => {
+            Some(original.clone())
+        }
         Op::Binary(BinaryOp::Or, low, high) if *ty == Type::I32 && shifted_word(function, high).is_some() => {
             extended_word(function, low)
         }
         Op::Binary(BinaryOp::LShr, value, shift) if *ty == Type::I32 && shift.as_int() == Some(32) => {
             match function.op_of(value)? {
-                Op::Binary(BinaryOp::Or, _, high) if function[id].ty == Type::I64 => shifted_word(function, high),
-                Op::Binary(BinaryOp::Shl, ..) if function[id].ty == Type::I64 => shifted_word(function, value),
+                Op::Binary(BinaryOp::Or, _, high) if function[id].ty == Type::I64 => {
+                    shifted_word(function, high)
+                }
+                Op::Binary(BinaryOp::Shl, ..) if function[id].ty == Type::I64 => {
+                    shifted_word(function, value)
+                }
                 _ => None,
             }
         }
@@ -216,7 +228,10 @@ mod tests {
         assert_eq!(byte(BinaryOp::AShr, 0x80, 7), Some(Value::Int(8, 0xff)));
         assert_eq!(byte(BinaryOp::UDiv, 1, 0), None);
         assert_eq!(byte(BinaryOp::Shl, 1, 8), None);
-        assert_eq!(compare(&f, IntPredicate::Slt, &Value::int(8, 0xff), &Value::int(8, 1)), Some(Value::bool(true)));
+        assert_eq!(
+            compare(&f, IntPredicate::Slt, &Value::int(8, 0xff), &Value::int(8, 1)),
+            Some(Value::bool(true))
+        );
         let wide = fold(&f, &Op::Cast(CastOp::SExt, Value::int(8, 0x80)), &Type::I32);
         assert_eq!(wide, Some(Value::u32(0xffff_ff80)));
     }

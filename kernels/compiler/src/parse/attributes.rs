@@ -63,10 +63,9 @@ impl Cursor<'_> {
                 self.skip_parentheses();
             } else if word == "align" {
                 self.take();
-                if self.peek() == Some(&Token::Mark('(')) {
-                    self.skip_parentheses()
-                } else {
-                    drop(self.take())
+                match self.peek() {
+                    Some(Token::Mark('(')) => self.skip_parentheses(),
+                    _ => self.skip(),
                 }
             } else {
                 return;

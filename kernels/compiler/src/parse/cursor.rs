@@ -50,6 +50,11 @@ impl<'a> Cursor<'a> {
         token
     }
 
+    /// Leaves the next token out.
+    pub fn skip(&mut self) {
+        self.at += 1;
+    }
+
     /// The next token, if it is a word; else nothing.
     pub fn word(&self) -> &'a str {
         match self.peek() {
