@@ -26,8 +26,8 @@
 //! ```
 
 pub mod check;
-pub mod compile;
 pub mod cleanup;
+pub mod compile;
 pub mod demangle;
 pub mod driver;
 pub mod emit;
@@ -37,10 +37,9 @@ pub mod ir;
 pub mod lower;
 pub mod manifest;
 pub mod output;
-pub mod profile;
-mod record;
 pub mod parse;
 pub mod profile;
+mod record;
 pub mod refusal;
 pub mod sources;
 pub mod structure;

@@ -244,7 +244,7 @@ impl Lowering<'_> {
 /// The pieces of an integer of so many bits: where each begins, in bytes, and how many bytes it has. None crosses a word.
 fn pieces(offset: &Linear, align: u32, bits: u32) -> Vec<(i64, u32)> {
     cut(bits.div_ceil(8), |at, n| {
-        align % n == 0 && at % n == 0 || offset.plus(at.into()).is_multiple_of(n.into())
+        align.is_multiple_of(n) && at.is_multiple_of(n) || offset.plus(at.into()).is_multiple_of(n.into())
     })
 }
 

@@ -7,6 +7,7 @@ use crate::ir::{BinaryOp, CastOp, FloatPredicate, IntPredicate, Op, SourceOp, Te
 
 /// What a line says.
 #[derive(Debug, PartialEq)]
+#[allow(clippy::large_enum_variant)] // there is one at a time
 pub enum Line {
     /// An instruction.
     Instruction {
