@@ -3,7 +3,7 @@
 //!
 //! * [`math`]: the only door to arithmetic beyond `+ − ×`.
 //! * [`layout`]: the plain data that both backends read; [`scene`]: how a pass sees it; [`effects`]: what a scene calls for.
-//! * [`camera`]: the eyes; [`geom`]: primitives; [`shading`]: what light does at them.
+//! * [`camera`]: the eyes; [`geom`]: primitives; [`traversal`]: the nearest of them on a ray; [`shading`]: what light does at them.
 //! * [`output`]: from linear colours to a screen or coloured glasses.
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_code)]
@@ -15,3 +15,4 @@ pub mod layout;
 pub mod math;
 pub mod output;
 pub mod scene;
+pub mod traversal;

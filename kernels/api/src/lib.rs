@@ -37,7 +37,7 @@ pub mod memory;
 pub mod pass;
 
 pub use device::subgroup;
-pub use kernel_macros::spirv;
+pub use kernel_macros::{rare, spirv};
 pub use memory::{At, Index, Out, Stack, Workgroup};
 pub use pass::{Access, Binding, Bound, Buffer, Invocation, Memory, Pass};
 

@@ -26,3 +26,16 @@ pub fn spirv(attribute: TokenStream, item: TokenStream) -> TokenStream {
         }
     }
 }
+
+/// For a function that is rarely called from a hot loop: out of line on a CPU, where it would cost registers and code, and inlined
+/// on a device, where a kernel must be one function.
+#[proc_macro_attribute]
+pub fn rare(_: TokenStream, item: TokenStream) -> TokenStream {
+    let function = proc_macro2::TokenStream::from(item);
+    quote::quote! {
+        #[cfg_attr(not(kernel_ir), cold, inline(never))]
+        #[cfg_attr(kernel_ir, inline(always))]
+        #function
+    }
+    .into()
+}

@@ -3,6 +3,9 @@
 //! Three machines answer: `cpu` (one invocation after another), `ir` (external functions that the kernel compiler replaces) and
 //! `spirv` (spirv-std, under rust-gpu).
 
+/// Whether this code runs on a device. A constant by which an algorithm may choose between two drivers of the same arithmetic.
+pub const ON_DEVICE: bool = cfg!(feature = "device");
+
 #[cfg(not(feature = "device"))]
 #[path = "cpu.rs"]
 mod machine;

@@ -39,6 +39,8 @@ pub trait At<T> {
     fn at_ref<I: Index>(&self, i: I) -> &T;
     /// The elements from `i` on; none when `i` is the length.
     fn tail<I: Index>(&self, i: I) -> &[T];
+    /// The `N` elements from `i` on: one check for all of them.
+    fn window<const N: usize>(&self, i: u32) -> &[T; N];
     /// Sets the element at `i` of an array that belongs to this invocation alone.
     fn put<I: Index>(&mut self, i: I, value: T);
 }
@@ -72,6 +74,15 @@ impl<T> At<T> for [T] {
     }
 
     #[inline(always)]
+    fn window<const N: usize>(&self, i: u32) -> &[T; N] {
+        let i = i as usize;
+        #[cfg(not(feature = "device"))]
+        assert!(i + N <= self.len(), "{N} elements from {i} on of {}", self.len());
+        // SAFETY: in range (checked above); on the device as in `at_ref`.
+        unsafe { &*self.as_ptr().add(i).cast() }
+    }
+
+    #[inline(always)]
     fn put<I: Index>(&mut self, i: I, value: T) {
         #[cfg(not(feature = "device"))]
         return self[i.index()] = value;
@@ -101,6 +112,17 @@ mod tests {
     #[should_panic(expected = "range start index 3")]
     fn a_tail_beyond_the_length_panics() {
         [1u32, 2].tail(3u32);
+    }
+
+    #[test]
+    fn a_window_has_what_it_says() {
+        assert_eq!([1u32, 2, 3].window::<2>(1), &[2, 3]);
+    }
+
+    #[test]
+    #[should_panic(expected = "2 elements from 2 on of 3")]
+    fn a_window_beyond_the_length_panics() {
+        [1u32, 2, 3].window::<2>(2);
     }
 
     #[test]

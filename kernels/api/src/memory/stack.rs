@@ -61,6 +61,29 @@ impl<T: Copy, const N: usize> Stack<T, N> {
         Some(unsafe { self.items.get_unchecked(self.len as usize).assume_init() })
     }
 
+    /// Puts `item` above the lowest `base` items, below those on top of which `precedes(theirs, item)` holds; `false` when the stack
+    /// is full.
+    #[inline(always)]
+    pub fn insert(&mut self, base: u32, item: T, precedes: impl Fn(&T, &T) -> bool) -> bool {
+        let mut at = self.len as usize;
+        let fits = self.push(item);
+        while fits && at > base as usize {
+            // SAFETY: `at - 1 < at < len`, and every item below `len` has been pushed.
+            let below = unsafe { self.items.get_unchecked(at - 1).assume_init() };
+            if !precedes(&below, &item) {
+                break;
+            }
+            // SAFETY: as above.
+            unsafe { *self.items.get_unchecked_mut(at) = MaybeUninit::new(below) };
+            at -= 1;
+        }
+        if fits {
+            // SAFETY: `at < len`.
+            unsafe { *self.items.get_unchecked_mut(at) = MaybeUninit::new(item) };
+        }
+        fits
+    }
+
     /// Removes all items.
     #[inline(always)]
     pub fn clear(&mut self) {
@@ -92,6 +115,19 @@ mod tests {
         let mut stack = Stack::<u32, 1>::new();
         assert!(stack.push(1) && !stack.push(2));
         assert_eq!((stack.len(), stack.pop()), (1, Some(1)));
+    }
+
+    #[test]
+    fn an_inserted_item_goes_below_those_that_precede_it_but_not_below_the_base() {
+        let mut stack = Stack::<u32, 5>::new();
+        for item in [1, 9, 4] {
+            stack.push(item);
+        }
+        assert!(
+            stack.insert(1, 6, |above, new| above < new) && stack.insert(1, 20, |above, new| above < new)
+        );
+        assert!(!stack.insert(0, 7, |_, _| true), "it is full");
+        assert_eq!([(); 5].map(|()| stack.pop()), [4, 6, 9, 20, 1].map(Some));
     }
 
     #[test]

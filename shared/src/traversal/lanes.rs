@@ -1,0 +1,47 @@
+//! The driver for devices: lane after lane, with no local array but the stack.
+
+use super::ray::Prepared;
+use super::rows::{LANES, LINKS, NODE_ROWS, STACK};
+use super::rules::Rules;
+use super::slab;
+use super::walk::Entry;
+use crate::geom::triangle::{self, Pack};
+use crate::layout::{Hit, NONE, Row};
+use kernel_api::Stack;
+
+/// The child to go to next, the nearest of those that are hit; the others go onto the stack, in no order.
+#[inline(always)]
+pub(super) fn visit(
+    node: &[Row; NODE_ROWS],
+    ray: &Prepared,
+    limit: f32,
+    stack: &mut Stack<Entry, STACK>,
+) -> Option<u32> {
+    let mut nearest = [NONE, u32::MAX];
+    for lane in 0..LANES {
+        let (enter, leave) = slab::child(node, lane, ray, limit);
+        if enter <= leave {
+            let entry = [node[LINKS].0[lane], enter.to_bits()];
+            let first = entry[1] < nearest[1];
+            let later = if first { nearest } else { entry };
+            nearest = if first { entry } else { nearest };
+            if later[0] != NONE {
+                stack.push(later);
+            }
+        }
+    }
+    (nearest[0] != NONE).then_some(nearest[0])
+}
+
+/// Tests a pack of triangles; returns whether the best hit came closer.
+#[inline(always)]
+pub(super) fn triangles<R: Rules>(pack: &Pack, ray: &Prepared, best: &mut Hit) -> bool {
+    let mut closer = false;
+    for lane in 0..LANES {
+        let edges = triangle::edges_of(pack, lane, ray);
+        if edges.inside >= 0.0 {
+            closer |= triangle::accept::<R>(pack, lane, edges, ray, best);
+        }
+    }
+    closer
+}

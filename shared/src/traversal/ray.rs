@@ -1,0 +1,120 @@
+//! What a traversal works out once for each ray.
+
+use super::rules::Rules;
+use crate::layout::Ray;
+use crate::math::{div, max, min};
+
+/// 1/d is clamped to this, so that zero and denormal components of a direction need no case of their own.
+const LARGEST_INVERSE: f32 = 1e18;
+
+/// A ray with the constants of its slab tests and projections.
+#[derive(Clone, Copy)]
+pub struct Prepared {
+    /// The ray itself, its `t_min` +0 or more.
+    pub ray: Ray,
+    /// Origins that are shifted by the padding, for near and for far planes: every box grows by the same amount, at no cost.
+    pub near_origin: [f32; 3],
+    /// See `near_origin`.
+    pub far_origin: [f32; 3],
+    /// Smallest accepted `t`, +0 or more.
+    pub t_min: f32,
+    /// 1/direction, clamped.
+    pub inv_dir: [f32; 3],
+    /// Which row of a node holds the near planes of each axis: picked by address, never by selecting values.
+    pub(crate) near_row: [usize; 3],
+    /// Likewise for the far planes.
+    pub(crate) far_row: [usize; 3],
+    /// The axes in an order that has the largest component of the direction last.
+    pub(crate) axes: [usize; 3],
+    /// The origin in that order.
+    pub(crate) origin: [f32; 3],
+    /// The direction in that order, the last component inverted.
+    pub(crate) shear: [f32; 3],
+}
+
+impl Prepared {
+    /// Works out the constants; `extent` is the largest absolute coordinate of all primitives (of the scene, not of a tree, so that
+    /// every structure pads alike).
+    #[inline(always)]
+    pub fn new<R: Rules>(ray: &Ray, extent: f32) -> Self {
+        let dir = ray.dir;
+        // Four lanes, the last one idle: of three LLVM makes a scalar and a pair.
+        let inverse = [dir[0], dir[1], dir[2], ray.t_max].map(clamped_inverse);
+        let inv_dir = [inverse[0], inverse[1], inverse[2]];
+        let padding = (largest(ray.origin) + extent) * R::PADDING;
+        let (mut near_origin, mut far_origin) = (ray.origin, ray.origin);
+        let (mut near_row, mut far_row) = ([0; 3], [0; 3]);
+        for axis in 0..3 {
+            let sign = dir[axis].to_bits() & 0x8000_0000;
+            let three = 3 * (sign >> 31) as usize;
+            near_row[axis] = axis + three;
+            far_row[axis] = axis + 3 - three;
+            let shift = f32::from_bits(padding.to_bits() | sign);
+            near_origin[axis] = ray.origin[axis] + shift;
+            far_origin[axis] = ray.origin[axis] - shift;
+        }
+        let last = largest_axis(dir);
+        let (dir, inverse) = (ending_with(last, dir), ending_with(last, inv_dir));
+        let t_min = max(ray.t_min, 0.0);
+        Self {
+            ray: Ray { t_min, ..*ray },
+            near_origin,
+            far_origin,
+            t_min,
+            inv_dir,
+            near_row,
+            far_row,
+            axes: ending_with(last, [0, 1, 2]),
+            origin: ending_with(last, ray.origin),
+            shear: [dir[0], dir[1], inverse[2]],
+        }
+    }
+
+    /// Whether the ray, as it was `given`, can hit anything: not if a number in it is NaN, its origin, direction or `t_min` is infinite, or its direction
+    /// too short for 1/d.
+    #[inline(always)]
+    pub fn is_proper(&self, given: &Ray) -> bool {
+        let Ray { origin: o, dir: d, t_min, .. } = *given;
+        // Zero, or NaN if any of them is infinite or NaN.
+        let zero =
+            (o[0] * 0.0 + o[1] * 0.0) + (o[2] * 0.0 + d[0] * 0.0) + (d[1] * 0.0 + d[2] * 0.0) + t_min * 0.0;
+        let last = self.shear[2];
+        (zero == 0.0) & (last < LARGEST_INVERSE) & (last > -LARGEST_INVERSE)
+    }
+}
+
+/// 1/x within ±10¹⁸ (10¹⁸ for NaN).
+#[inline(always)]
+fn clamped_inverse(x: f32) -> f32 {
+    max(min(div(1.0, x), LARGEST_INVERSE), -LARGEST_INVERSE)
+}
+
+#[inline(always)]
+fn largest(v: [f32; 3]) -> f32 {
+    max(v[0].abs(), max(v[1].abs(), v[2].abs()))
+}
+
+/// The axis of the largest component.
+#[inline(always)]
+fn largest_axis(v: [f32; 3]) -> usize {
+    let [x, y, z] = v.map(f32::abs);
+    if x > y {
+        if x > z { 0 } else { 2 }
+    } else if y > z {
+        1
+    } else {
+        2
+    }
+}
+
+/// Turns `v` so that component `last` comes last. Branches: an index into a local array was slower.
+#[inline(always)]
+fn ending_with<T: Copy>(last: usize, v: [T; 3]) -> [T; 3] {
+    if last == 0 {
+        [v[1], v[2], v[0]]
+    } else if last == 1 {
+        [v[2], v[0], v[1]]
+    } else {
+        v
+    }
+}

@@ -1,0 +1,70 @@
+//! The way of a ray through the nodes, the nearest first, for both drivers.
+
+use super::ray::Prepared;
+use super::rows::{KIND, LEAF, ROW, STACK};
+use super::rules::Rules;
+use super::{arrays, lanes, round};
+use crate::layout::{Hit, NONE, Ray, Row};
+use kernel_api::{At, Stack};
+
+/// A link and the bits of the distance at which its box is entered. Distances are +0 or more, so their bits have their order.
+pub(super) type Entry = [u32; 2];
+
+/// `ANY`: the first hit found, to be asked only whether there is one. `SCAN`: driven lane after lane instead of by arrays and masks.
+/// The hits do not depend on `SCAN`.
+#[inline(always)]
+pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &Ray, extent: f32) -> Hit {
+    let ray = Prepared::new::<R>(given, extent);
+    let mut best = Hit { t: given.t_max, prim_id: 0 };
+    if !ray.is_proper(given) {
+        return miss();
+    }
+    let mut memory = Stack::<Entry, STACK>::new();
+    let stack = &mut memory;
+    let mut limit = best.t;
+    let mut link = 0;
+    loop {
+        if link & LEAF == 0 {
+            let node = rows.window(link);
+            let next = if SCAN {
+                lanes::visit(node, &ray, limit, stack)
+            } else {
+                arrays::visit::<ANY>(node, &ray, limit, stack)
+            };
+            if let Some(next) = next {
+                link = next;
+                continue;
+            }
+        } else {
+            let closer = if link & KIND != 0 {
+                let before = best;
+                best = round::pack::<R>(rows, link, given, extent, before);
+                best.t != before.t || best.prim_id != before.prim_id
+            } else if SCAN {
+                lanes::triangles::<R>(rows.window(link & ROW), &ray, &mut best)
+            } else {
+                arrays::triangles::<R>(rows.window(link & ROW), &ray, &mut best)
+            };
+            if closer {
+                if ANY {
+                    return best;
+                }
+                limit = best.t;
+            }
+        }
+        loop {
+            let Some([next, enter]) = stack.pop() else {
+                return if best.t < given.t_max { best } else { miss() };
+            };
+            if ANY || enter <= limit.to_bits() {
+                link = next;
+                break;
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn miss() -> Hit {
+    Hit { t: f32::INFINITY, prim_id: NONE }
+}
