@@ -2,6 +2,7 @@
 
 pub mod backend;
 pub mod build;
+pub mod compare;
 pub mod output;
 pub mod render;
 pub mod rig;
