@@ -132,7 +132,8 @@ pub enum Progress<'a> {
 /// The result is a function of the sources, the options and the toolchain: the same bytes in another folder.
 ///
 /// # Errors
-/// When the crate does not build, and when kernels are refused: then all problems of all kernels come together.
+/// When the crate does not build, and when kernels are refused: then all problems of all kernels come
+/// together.
 pub fn compile(source: &CrateSource, options: &Options) -> Result<Compiled, CompileError> {
     compile_reporting(source, options, &mut |_| {})
 }

@@ -1,17 +1,18 @@
 //! From a Rust kernel crate to SPIR-V modules, WGSL texts and a manifest, with the stable toolchain alone.
 //!
-//! A kernel crate is an ordinary `no_std` library whose entry points carry `#[spirv(compute(threads(x, y, z)))]` of `kernel-api`. It is
-//! compiled in stages, each a module of this crate with tests of its own:
+//! A kernel crate is an ordinary `no_std` library whose entry points carry `#[spirv(compute(threads(x, y,
+//! z)))]` of `kernel-api`. It is compiled in stages, each a module of this crate with tests of its own:
 //!
-//! 1. [`driver`]: cargo builds the crate and prints its IR, which rustc's own LLVM has optimised, inlined and structured.
+//! 1. [`driver`]: cargo builds the crate and prints its IR, which rustc's own LLVM has optimised, inlined and
+//!    structured.
 //! 2. [`front`]: the IR is parsed and lowered to [`ir::Kernel`]s: words of named buffers instead of pointers.
 //! 3. [`structure`]: blocks and branches become nested statements, in loop-closed form.
 //! 4. [`check`]: barriers stand under uniform control flow, and nothing is left that a target lacks.
 //! 5. [`emit`]: SPIR-V, and WGSL for the fast profile.
 //!
-//! [`interpret`] runs lowered kernels on the CPU, word by word, which tells a defect of this compiler from one of a driver.
-//! What cannot be compiled is refused with the entry point, the function and what to write instead ([`refusal`]); all problems of a
-//! crate come in one run.
+//! [`interpret`] runs lowered kernels on the CPU, word by word, which tells a defect of this compiler from
+//! one of a driver. What cannot be compiled is refused with the entry point, the function and what to write
+//! instead ([`refusal`]); all problems of a crate come in one run.
 //!
 //! ```no_run
 //! use kernel_compiler::{CrateSource, Options, Profile, compile};

@@ -1,4 +1,5 @@
-//! The command: compiles a kernel crate into a folder, or checks that the folder holds what would be compiled.
+//! The command: compiles a kernel crate into a folder, or checks that the folder holds what would be
+//! compiled.
 
 use clap::{Parser, ValueEnum};
 use kernel_compiler::compile::{CompileError, Compiled, CrateSource, Options, Progress, compile_reporting};
@@ -6,13 +7,15 @@ use kernel_compiler::{Profile, SourcesError};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Compiles a Rust kernel crate to SPIR-V modules, WGSL texts and a manifest, with the stable toolchain alone.
+/// Compiles a Rust kernel crate to SPIR-V modules, WGSL texts and a manifest, with the stable toolchain
+/// alone.
 ///
-/// DIR then holds strict/NAME.spv and fast/NAME.spv for each kernel, fast/NAME.wgsl with --wgsl, and manifest.json, which says how to
-/// bind and dispatch each module. Modules and texts of kernels that are no more are removed. The bytes depend on the sources and the
-/// toolchain only.
+/// DIR then holds strict/NAME.spv and fast/NAME.spv for each kernel, fast/NAME.wgsl with --wgsl, and
+/// manifest.json, which says how to bind and dispatch each module. Modules and texts of kernels that are no
+/// more are removed. The bytes depend on the sources and the toolchain only.
 ///
-/// Exit status: 0 when all is well, 1 when kernels are refused or (with --check) files differ, 2 for bad usage.
+/// Exit status: 0 when all is well, 1 when kernels are refused or (with --check) files differ, 2 for bad
+/// usage.
 #[derive(Parser)]
 #[command(version)]
 struct Arguments {
@@ -25,7 +28,8 @@ struct Arguments {
     /// Write nothing; name each file in DIR that is not what would be written, and fail if there is one
     #[arg(long)]
     check: bool,
-    /// Arithmetic: strict gives the CPU's bits, fast lets the driver contract and turns on the crate's feature `fast`
+    /// Arithmetic: strict gives the CPU's bits, fast lets the driver contract and turns on the crate's
+    /// feature `fast`
     #[arg(long, value_enum, default_value_t = Profiles::Both)]
     profile: Profiles,
     /// Write the fast profile's kernels as WGSL too

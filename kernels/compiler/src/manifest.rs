@@ -1,6 +1,8 @@
-//! `manifest.json`: what a host must know of each module to bind and dispatch it, and the hashes that tell whether it is up to date.
+//! `manifest.json`: what a host must know of each module to bind and dispatch it, and the hashes that tell
+//! whether it is up to date.
 //!
-//! Its order is stable (entries by profile and name, bindings by set and number), so that the same sources give the same bytes.
+//! Its order is stable (entries by profile and name, bindings by set and number), so that the same sources
+//! give the same bytes.
 
 use crate::Profile;
 use serde::{Deserialize, Serialize};

@@ -48,7 +48,8 @@ pub struct Written {
 }
 
 impl Compiled {
-    /// All files, by path relative to the folder: `strict/NAME.spv`, `fast/NAME.spv`, `fast/NAME.wgsl`, `manifest.json`.
+    /// All files, by path relative to the folder: `strict/NAME.spv`, `fast/NAME.spv`, `fast/NAME.wgsl`,
+    /// `manifest.json`.
     pub fn files(&self) -> BTreeMap<PathBuf, Vec<u8>> {
         let mut files = BTreeMap::new();
         for entry in &self.entries {
@@ -61,8 +62,8 @@ impl Compiled {
         files
     }
 
-    /// Writes all files under `dir` and removes modules and texts of kernels that are no more. A file whose contents stay the same is
-    /// not touched. Each file appears whole or not at all.
+    /// Writes all files under `dir` and removes modules and texts of kernels that are no more. A file whose
+    /// contents stay the same is not touched. Each file appears whole or not at all.
     ///
     /// # Errors
     /// The first file or folder that cannot be read, written or removed.

@@ -6,9 +6,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Profile {
-    /// Every float operation is decorated `NoContraction`, and `min` and `max` are compare-and-select as on x86: the CPU's bits.
+    /// Every float operation is decorated `NoContraction`, and `min` and `max` are compare-and-select as on
+    /// x86: the CPU's bits.
     Strict,
-    /// The driver contracts as it likes and has its own `min` and `max`. The crate's feature `fast`, if it has one, is on. Has WGSL.
+    /// The driver contracts as it likes and has its own `min` and `max`. The crate's feature `fast`, if it
+    /// has one, is on. Has WGSL.
     Fast,
 }
 

@@ -1,4 +1,5 @@
-//! What a kernel crate consists of: its own sources and those of its path dependencies, as `cargo metadata` lists them.
+//! What a kernel crate consists of: its own sources and those of its path dependencies, as `cargo metadata`
+//! lists them.
 
 use crate::manifest::sha256;
 use serde::Deserialize;
@@ -39,7 +40,8 @@ pub enum SourcesError {
 pub struct Sources {
     /// Its cargo features.
     pub features: BTreeSet<String>,
-    /// SHA-256 over the names and contents of all `.rs` files and `Cargo.toml`s of the crate and its path dependencies.
+    /// SHA-256 over the names and contents of all `.rs` files and `Cargo.toml`s of the crate and its path
+    /// dependencies.
     pub sha256: String,
 }
 

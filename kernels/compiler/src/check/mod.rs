@@ -1,5 +1,5 @@
-//! What must hold of a structured kernel before it is emitted: barriers and subgroup operations are reached by whole workgroups, and
-//! only types and operations are left that every target has.
+//! What must hold of a structured kernel before it is emitted: barriers and subgroup operations are reached
+//! by whole workgroups, and only types and operations are left that every target has.
 
 mod types;
 mod uniformity;

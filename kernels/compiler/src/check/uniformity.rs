@@ -1,9 +1,9 @@
 //! Divergence: which values and which control flow may differ between the invocations of a workgroup.
 //!
-//! A value diverges if it is made from one that does, comes from the invocation's own builtins or memory or from what another
-//! invocation may write, or is a phi that is set under divergent control flow. (The loop-closed form makes that last rule cover values
-//! that invocations carry out of a loop after different numbers of rounds.) Barriers and subgroup operations must not stand under
-//! divergent control flow.
+//! A value diverges if it is made from one that does, comes from the invocation's own builtins or memory or
+//! from what another invocation may write, or is a phi that is set under divergent control flow. (The
+//! loop-closed form makes that last rule cover values that invocations carry out of a loop after different
+//! numbers of rounds.) Barriers and subgroup operations must not stand under divergent control flow.
 
 use crate::ir::{Builtin, Id, Kernel, Op, Space, Value};
 use crate::refusal::Reason;
@@ -34,7 +34,8 @@ impl Divergence<'_> {
         matches!(value, Value::Inst(id) if self.divergent.contains(id))
     }
 
-    /// Adds what diverges by the operands known so far; `under` tells whether the statements stand under divergent control flow.
+    /// Adds what diverges by the operands known so far; `under` tells whether the statements stand under
+    /// divergent control flow.
     fn spread(&mut self, statements: &[Statement], under: bool) {
         for statement in statements {
             match statement {
@@ -151,7 +152,8 @@ mod tests {
         assert_eq!(in_a_loop(Op::SpecConstant { id: 0, default: 3 }), []);
     }
 
-    /// A counter that leaves a loop after as many rounds as each invocation likes diverges, though each of its values is uniform.
+    /// A counter that leaves a loop after as many rounds as each invocation likes diverges, though each of
+    /// its values is uniform.
     #[test]
     fn what_leaves_a_divergent_loop_diverges() {
         let mut k = KernelBuilder::new(5);

@@ -48,7 +48,8 @@ impl<'a> Invocation<'a> {
         Self { kernel, position, values, arrays, block: BlockId(0), next: 0, steps: 0 }
     }
 
-    /// Gives the instruction at which the invocation waits its value, if it has one; the invocation then goes on behind it.
+    /// Gives the instruction at which the invocation waits its value, if it has one; the invocation then goes
+    /// on behind it.
     pub fn resume(&mut self, waiting: Id, value: u128) {
         self.values[waiting.index()] = value;
         self.next += 1;

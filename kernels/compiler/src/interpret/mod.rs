@@ -1,12 +1,14 @@
-//! Runs lowered kernels on the CPU, word by word: a third opinion beside two drivers, which tells a defect of the compiler's front half
-//! from one of its emitters or of a driver.
+//! Runs lowered kernels on the CPU, word by word: a third opinion beside two drivers, which tells a defect of
+//! the compiler's front half from one of its emitters or of a driver.
 //!
-//! It runs a kernel's blocks as they are, before they are structured. The invocations of a workgroup run one after the other from
-//! barrier to barrier (or subgroup operation to subgroup operation); workgroups run one after the other.
+//! It runs a kernel's blocks as they are, before they are structured. The invocations of a workgroup run one
+//! after the other from barrier to barrier (or subgroup operation to subgroup operation); workgroups run one
+//! after the other.
 //!
-//! Where SPIR-V leaves a result undefined, the interpreter is strict: what is out of bounds, divided by zero or not reachable is an
-//! error. Only shifts by more than the width (by the amount modulo the width) and conversions out of range (to the nearest integer) go
-//! on, since LLVM computes such values and then selects others.
+//! Where SPIR-V leaves a result undefined, the interpreter is strict: what is out of bounds, divided by zero
+//! or not reachable is an error. Only shifts by more than the width (by the amount modulo the width) and
+//! conversions out of range (to the nearest integer) go on, since LLVM computes such values and then selects
+//! others.
 
 mod arithmetic;
 mod invocation;
@@ -91,7 +93,8 @@ pub enum InterpretError {
     Unsupported(String),
 }
 
-/// Runs `groups` workgroups of `kernel` along x, y and z; what it writes is in the buffers of `arguments` then.
+/// Runs `groups` workgroups of `kernel` along x, y and z; what it writes is in the buffers of `arguments`
+/// then.
 ///
 /// # Errors
 /// The first [`InterpretError`]; the buffers are then as far as the kernel came.

@@ -1,7 +1,7 @@
 //! Dominators of a control flow graph.
 //!
-//! Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001): immediate dominators by iteration to a fixed point over the
-//! reverse postorder. Post-dominators are the dominators of the reversed graph.
+//! Cooper, Harvey and Kennedy, "A Simple, Fast Dominance Algorithm" (2001): immediate dominators by iteration
+//! to a fixed point over the reverse postorder. Post-dominators are the dominators of the reversed graph.
 
 /// Immediate dominators of the nodes `0..n` of a graph, as seen from its entry.
 pub struct Dominators {

@@ -1,7 +1,8 @@
-//! Loop-closed form: a value that is made in a loop and used behind it goes through a variable, written at the end of the body and read
-//! behind the loop.
+//! Loop-closed form: a value that is made in a loop and used behind it goes through a variable, written at
+//! the end of the body and read behind the loop.
 //!
-//! Drivers that run several invocations in lockstep get plain live-out values of divergent loops wrong, and WGSL scopes need it.
+//! Drivers that run several invocations in lockstep get plain live-out values of divergent loops wrong, and
+//! WGSL scopes need it.
 
 use super::Statement;
 use crate::ir::{Function, Id, Op, Value};

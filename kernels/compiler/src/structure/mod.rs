@@ -1,8 +1,8 @@
 //! From blocks and branches to nested statements.
 //!
-//! LLVM has already made the control flow reducible and its regions nested (`structurizecfg`): what is left are conditions whose two
-//! sides meet again, and loops with one latch, at which alone they are left. [`structure`] writes that down as statements, in
-//! loop-closed form, and refuses anything else.
+//! LLVM has already made the control flow reducible and its regions nested (`structurizecfg`): what is left
+//! are conditions whose two sides meet again, and loops with one latch, at which alone they are left.
+//! [`structure`] writes that down as statements, in loop-closed form, and refuses anything else.
 
 pub mod dominators;
 mod loop_closed;
@@ -14,7 +14,8 @@ use crate::refusal::Reason;
 /// A kernel as nested statements.
 #[derive(Clone, Debug)]
 pub struct Structured {
-    /// The kernel. Its instructions are those of the statements: they are not in the form of its blocks any more.
+    /// The kernel. Its instructions are those of the statements: they are not in the form of its blocks any
+    /// more.
     pub kernel: Kernel,
     /// What it does.
     pub body: Vec<Statement>,
@@ -25,7 +26,8 @@ pub struct Structured {
 pub enum Statement {
     /// Executes the instruction (never a phi).
     Instruction(Id),
-    /// Gives the phis' variables their values for one edge; every value is read before any variable is written.
+    /// Gives the phis' variables their values for one edge; every value is read before any variable is
+    /// written.
     Set(Vec<(Id, Value)>),
     /// One of two sides.
     If {
@@ -73,7 +75,8 @@ pub fn for_each_statement(statements: &[Statement], visit: &mut dyn FnMut(&State
     }
 }
 
-/// The structured form of `kernel`, closed under loops: a value that leaves a loop does so through a phi behind it.
+/// The structured form of `kernel`, closed under loops: a value that leaves a loop does so through a phi
+/// behind it.
 ///
 /// # Errors
 /// [`Reason::ControlFlow`], which names the block, when its control flow is not nested as described above.

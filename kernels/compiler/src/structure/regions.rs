@@ -51,7 +51,8 @@ fn latches(
     Ok(latch)
 }
 
-/// For each block the one where all ways from it meet again: its immediate post-dominator. Ways to `unreachable` do not count.
+/// For each block the one where all ways from it meet again: its immediate post-dominator. Ways to
+/// `unreachable` do not count.
 fn joins(function: &Function, successors: &[Vec<usize>], dominators: &Dominators) -> Vec<Option<BlockId>> {
     let exit = successors.len();
     let mut reversed = vec![Vec::new(); exit + 1];
@@ -115,7 +116,8 @@ impl Walk<'_> {
         Ok(exit)
     }
 
-    /// One block and, if it decides something, both sides; the result is where it goes on. A latch goes nowhere: its loop does.
+    /// One block and, if it decides something, both sides; the result is where it goes on. A latch goes
+    /// nowhere: its loop does.
     fn block(&mut self, block: BlockId, out: &mut Vec<Statement>) -> Result<Option<BlockId>, Reason> {
         if std::mem::replace(&mut self.seen[block.index()], true) {
             return Err(refused(self.function, block, "is reached along two ways"));

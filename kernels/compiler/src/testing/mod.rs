@@ -102,7 +102,8 @@ pub fn less(a: Value, b: Value) -> Op {
     Op::IntCompare(IntPredicate::Ult, a, b)
 }
 
-/// What `spirv-val` says of a module: nothing if it is valid, and nothing, but loudly, if there is no `spirv-val`.
+/// What `spirv-val` says of a module: nothing if it is valid, and nothing, but loudly, if there is no
+/// `spirv-val`.
 pub fn spirv_problems(words: &[u32]) -> Option<String> {
     let file = tempfile::NamedTempFile::new().expect("a temporary file");
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();

@@ -1,11 +1,13 @@
-//! A kernel of every arithmetic operation, comparison, conversion and function, with the results that they must have.
+//! A kernel of every arithmetic operation, comparison, conversion and function, with the results that they
+//! must have.
 
 use super::{KernelBuilder, word};
 use crate::ir::{
     BinaryOp, CastOp, FloatPredicate, IntPredicate, Kernel, MathOp, Op, RootId, Terminator, Type, Value,
 };
 
-/// A kernel of one invocation that reads the words `inputs` at binding 1 and writes the words `expected` at binding 0.
+/// A kernel of one invocation that reads the words `inputs` at binding 1 and writes the words `expected` at
+/// binding 0.
 pub struct Operations {
     pub kernel: Kernel,
     pub inputs: Vec<u32>,

@@ -12,7 +12,8 @@ const THREADS: u32 = 4;
 /// Words that an invocation writes to the output.
 const WRITTEN: u32 = 20;
 
-/// A kernel with its arguments and the words that two workgroups of it leave at binding 0, in subgroups as large as a workgroup.
+/// A kernel with its arguments and the words that two workgroups of it leave at binding 0, in subgroups as
+/// large as a workgroup.
 pub struct Places {
     pub kernel: Kernel,
     pub arguments: Arguments,
@@ -121,7 +122,8 @@ impl Builder {
         self.expect(Op::LoadWord(self.roots.table, self.local.clone()), table);
     }
 
-    /// Each invocation adds its id + 1 to counter 0 and takes the signed minimum of −id in counter 1; it has counter 2 + id for itself.
+    /// Each invocation adds its id + 1 to counter 0 and takes the signed minimum of −id in counter 1; it has
+    /// counter 2 + id for itself.
     fn atomics(&mut self) {
         let (counters, id) = (self.roots.counters, self.id.clone());
         let one_more = self.make(add(id.clone(), word(1)));
@@ -152,7 +154,8 @@ impl Builder {
         self.expect(Op::Subgroup(SubgroupOp::Count, vec![few]), |_, _| 3);
     }
 
-    /// `i = 0; do { i += 1 } while i < id; expect i`, and the specialisation constant 3 of default 7 where `id` is odd.
+    /// `i = 0; do { i += 1 } while i < id; expect i`, and the specialisation constant 3 of default 7 where
+    /// `id` is odd.
     fn loop_with_a_value_that_leaves(&mut self) {
         let (i, next) = self.k.counter(1, 0);
         let again = self.k.push(1, less(next.clone(), self.id.clone()), Type::BOOL);

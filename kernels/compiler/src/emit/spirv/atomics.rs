@@ -5,7 +5,8 @@ use crate::ir::{AtomicOp, RootId, Value};
 use rspirv::dr::Operand;
 use rspirv::spirv::{MemorySemantics, Op, Scope, Word};
 
-/// The instruction of an operation. Words are unsigned in the module, but `SMin` and `SMax` take them as two's complement numbers.
+/// The instruction of an operation. Words are unsigned in the module, but `SMin` and `SMax` take them as
+/// two's complement numbers.
 fn opcode(op: AtomicOp) -> Op {
     match op {
         AtomicOp::Add => Op::AtomicIAdd,

@@ -83,8 +83,8 @@ impl Emitter<'_> {
         Ok(())
     }
 
-    /// `done = false; loop { if done { break } body; done = condition == leaves_when }`: the one form that all drivers get right. What
-    /// leaves the loop was always written by the round before.
+    /// `done = false; loop { if done { break } body; done = condition == leaves_when }`: the one form that
+    /// all drivers get right. What leaves the loop was always written by the round before.
     fn repeat(&mut self, body: &[Statement], condition: &Value, leaves_when: bool) -> Result<(), EmitError> {
         let boolean = self.constants.bool;
         let done = self.local(boolean, None);

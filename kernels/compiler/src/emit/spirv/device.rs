@@ -1,4 +1,5 @@
-//! What an invocation knows of itself and does with the others: builtins, specialisation constants, barriers, subgroups.
+//! What an invocation knows of itself and does with the others: builtins, specialisation constants, barriers,
+//! subgroups.
 
 use super::{EmitError, Emitter};
 use crate::ir::{Builtin, Op as Ir, SubgroupOp, Value};

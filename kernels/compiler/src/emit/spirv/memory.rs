@@ -118,7 +118,8 @@ impl Emitter<'_> {
         RootVariable { id: self.builder.variable(pointer, None, class, None), class }
     }
 
-    /// A table of constants is a variable of the function that begins with its value: a constant cannot be indexed with a variable.
+    /// A table of constants is a variable of the function that begins with its value: a constant cannot be
+    /// indexed with a variable.
     fn table(&mut self, words: &[u32]) -> RootVariable {
         let array = self.array(words.len() as u32);
         let words: Vec<Word> = words.iter().map(|&word| self.word(word)).collect();

@@ -1,9 +1,10 @@
 //! SPIR-V 1.3 for Vulkan 1.1.
 //!
-//! Both drivers on which the modules are tested compute wrong results for some legal code, so the shape is chosen with care:
+//! Both drivers on which the modules are tested compute wrong results for some legal code, so the shape is
+//! chosen with care:
 //!
-//! * A loop is `loop { if done { break } body; done = condition }`. lavapipe (Mesa 22.3) miscompiles a break at the end of the loop,
-//!   SwiftShader a loop with its condition in the continue block.
+//! * A loop is `loop { if done { break } body; done = condition }`. lavapipe (Mesa 22.3) miscompiles a break
+//!   at the end of the loop, SwiftShader a loop with its condition in the continue block.
 //! * Phis are variables of the function, which drivers promote again.
 //! * Every float operation is decorated `NoContraction`, unless contraction is asked for.
 //! * NaN tests look at the bits, so that no driver may assume NaN away.

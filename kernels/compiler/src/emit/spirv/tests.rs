@@ -61,7 +61,8 @@ fn float_operations_are_not_contracted() {
     assert!(decorated(&loaded(&emitted(&kernel, true))).is_empty());
 }
 
-/// `loop { if done { break } body; done = c }`: the header goes to a block that alone decides, and the continue block only goes back.
+/// `loop { if done { break } body; done = c }`: the header goes to a block that alone decides, and the
+/// continue block only goes back.
 #[test]
 fn a_loop_is_left_at_its_start() {
     let mut k = KernelBuilder::new(3);

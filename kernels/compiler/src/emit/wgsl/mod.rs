@@ -1,8 +1,9 @@
-//! WGSL from the same structured form, for the fast profile: it goes through wgpu's ordinary path to Metal, DX12 and WebGPU, where
-//! naga ignores `NoContraction`.
+//! WGSL from the same structured form, for the fast profile: it goes through wgpu's ordinary path to Metal,
+//! DX12 and WebGPU, where naga ignores `NoContraction`.
 //!
-//! Words are `u32` and are taken as `i32` where an operation is signed. Values are `let`s named after their instruction (`v7`), the
-//! variables of phis are `p7`, roots are `r0`, `r1`, … The loop-closed form guarantees that each use is in scope.
+//! Words are `u32` and are taken as `i32` where an operation is signed. Values are `let`s named after their
+//! instruction (`v7`), the variables of phis are `p7`, roots are `r0`, `r1`, … The loop-closed form
+//! guarantees that each use is in scope.
 
 mod declarations;
 mod device;
@@ -18,8 +19,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The text of one kernel, whose entry point has the kernel's name.
 ///
 /// # Errors
-/// [`EmitError::Unsupported`] when something has no form in WGSL (64-bit integers, signed and unsigned atomic minima or maxima of
-/// one buffer, push constants that are indexed with a variable).
+/// [`EmitError::Unsupported`] when something has no form in WGSL (64-bit integers, signed and unsigned atomic
+/// minima or maxima of one buffer, push constants that are indexed with a variable).
 pub fn emit(structured: &Structured) -> Result<String, EmitError> {
     let mut writer = Writer::new(&structured.kernel);
     writer.statements(&structured.body)?;
@@ -82,7 +83,8 @@ impl<'a> Writer<'a> {
         values.iter().map(|value| self.value(value)).collect()
     }
 
-    /// A float constant. One without a literal is cast from a variable, since a constant expression must not be a NaN or infinite.
+    /// A float constant. One without a literal is cast from a variable, since a constant expression must not
+    /// be a NaN or infinite.
     fn float(&mut self, bits: u32) -> String {
         let value = f32::from_bits(bits);
         if bits == 0 || value.is_normal() {
