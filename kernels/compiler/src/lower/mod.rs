@@ -280,4 +280,4 @@ fn indices(terminator: &Terminator) -> Vec<usize> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
