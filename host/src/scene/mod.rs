@@ -3,7 +3,15 @@
 //! [`load`] is the one door. What it returns is typed, validated and in world units: every number is finite, every index within
 //! its array, every radius greater than zero; nothing is scaled yet.
 
+mod bare;
 mod error;
+pub mod file;
+mod files;
+pub mod generate;
+mod material;
+mod model;
+mod picture;
+mod textures;
 mod warning;
 
 use std::path::Path;
@@ -75,5 +83,8 @@ pub struct Picture {
 /// # Errors
 /// Whatever is wrong with the file, with its name and, where there is one, the line: see [`SceneError`].
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
-    Err(SceneError::UnknownFormat { path: path.into() })
+    match path.extension().and_then(|s| s.to_str()) {
+        Some(suffix) if suffix.eq_ignore_ascii_case("toml") => file::load(path),
+        _ => bare::load(path),
+    }
 }

@@ -1,7 +1,8 @@
 //! What a loader puts up with, counted.
 
+use std::collections::BTreeMap;
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Something odd in a file that did not keep it from being loaded.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,7 +30,7 @@ pub enum Problem {
     IndexOutOfRange,
     /// Texture coordinates or normals that do not exist or are not finite: left out.
     BadAttribute,
-    /// Polygons that cannot be cut into ears (they cross themselves): cut into a fan.
+    /// Polygons in which no ear is found (they cross themselves, or are too large): cut into a fan.
     NotSimple,
     /// A file that a model names and that is missing, outside its directory or unreadable: done without.
     FileMissing(String),
@@ -37,8 +38,6 @@ pub enum Problem {
     MaterialMissing(String),
     /// No triangle at all.
     Empty,
-    /// The rig breaks the guide of Es, eq. (12).
-    Rig(String),
 }
 
 impl fmt::Display for Problem {
@@ -51,11 +50,10 @@ impl fmt::Display for Problem {
             Self::BadAttribute => {
                 write!(f, "corners whose normal or texture coordinates are unusable (left out)")
             }
-            Self::NotSimple => write!(f, "polygons that cross themselves (cut into a fan)"),
+            Self::NotSimple => write!(f, "polygons without an ear, or too large (cut into a fan)"),
             Self::FileMissing(reason) => write!(f, "file left out: {reason}"),
             Self::MaterialMissing(name) => write!(f, "material `{name}` is defined nowhere (default used)"),
             Self::Empty => write!(f, "nothing to render"),
-            Self::Rig(reason) => write!(f, "{reason}"),
         }
     }
 }
@@ -71,5 +69,25 @@ impl fmt::Display for Warning {
             0 | 1 => write!(f, "{}", self.problem),
             n => write!(f, "{n} × {}", self.problem),
         }
+    }
+}
+
+/// Counts the oddities of one file.
+#[derive(Default)]
+pub(crate) struct Tally {
+    found: BTreeMap<Problem, (u64, Option<usize>)>,
+}
+
+impl Tally {
+    /// One more `problem`, at `line` when the file has lines.
+    pub(crate) fn add(&mut self, problem: Problem, line: Option<usize>) {
+        self.found.entry(problem).or_insert((0, line)).0 += 1;
+    }
+
+    /// What was found in the file `path`.
+    pub(crate) fn warnings(self, path: &Path) -> Vec<Warning> {
+        let warning =
+            |(problem, (count, first_line))| Warning { path: path.into(), problem, count, first_line };
+        self.found.into_iter().map(warning).collect()
     }
 }
