@@ -210,7 +210,7 @@ mod tests {
     use super::*;
 
     fn cut_outline(outline: &[[f32; 2]]) -> (Vec<[usize; 3]>, bool) {
-        let positions: Vec<_> = outline.iter().map(|p| [p[0], 2.0, -p[1]]).collect();
+        let positions: Vec<_> = outline.iter().map(|p| [2.0, p[0], p[1]]).collect();
         let corners: Vec<_> =
             (0..outline.len()).map(|i| Corner { position: i as u32, uv: NONE, normal: NONE }).collect();
         let mut triangles = Vec::new();
