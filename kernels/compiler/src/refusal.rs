@@ -56,6 +56,8 @@ pub enum Reason {
     DivergentSubgroup,
     /// Control flow that is not structured.
     ControlFlow(String),
+    /// Something for which SPIR-V or WGSL has no form.
+    NoForm(String),
     /// Something that this compiler does not know, by name.
     Unknown(String),
 }
@@ -89,6 +91,7 @@ impl Reason {
             Reason::ControlFlow(_) => {
                 "simplify the loop: one way out, no labelled breaks across several levels"
             }
+            Reason::NoForm(_) => "avoid it, or compile without WGSL if it is WGSL that lacks it",
             Reason::Unknown(_) => "nothing is known that does the same: please report it",
         }
     }
@@ -130,6 +133,7 @@ impl fmt::Display for Reason {
             Reason::DivergentSubgroup => {
                 write!(f, "a subgroup operation stands under a condition that differs between invocations")
             }
+            Reason::NoForm(what) => write!(f, "there is no form for {what}"),
             Reason::Unknown(what) => write!(f, "{what} is not known to this compiler"),
         }
     }

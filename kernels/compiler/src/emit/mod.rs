@@ -24,6 +24,6 @@ impl EmitError {
 
 impl From<EmitError> for Reason {
     fn from(error: EmitError) -> Self {
-        Reason::Unknown(error.to_string())
+        Reason::NoForm(error.to_string())
     }
 }

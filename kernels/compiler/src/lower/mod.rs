@@ -1,14 +1,14 @@
 //! Rewrites a kernel so that its memory is words of known roots and `usize` has 32 bits.
 //!
 //! The blocks are visited in an order in which definitions come before uses (but over the edges of loops). Each instruction is
-//! translated once, where it stands: a pointer becomes a [`Place`], a load or store becomes accesses of words, a call becomes an
+//! translated once, where it stands: a pointer becomes a `Place`, a load or store becomes accesses of words, a call becomes an
 //! operation that every target has, and each integer of more than 32 bits gets a companion that is its low word. What nobody uses
 //! afterwards is removed by the [clean-up](crate::cleanup).
 //!
-//! * [`bounds`]: which 64-bit values are `usize`; [`narrow`]: their low words.
-//! * [`origins`], [`places`], [`joins`], [`linear`]: pointers.
-//! * [`access`], [`copies`], [`atomics`]: loads, stores and what is made of them.
-//! * [`roots`], [`tables`]: the memory; [`calls`], [`intrinsics`]: what is called.
+//! * `bounds`: which 64-bit values are `usize`; `narrow`: their low words.
+//! * `origins`, `places`, `joins`, `linear`: pointers.
+//! * `access`, `copies`, `atomics`: loads, stores and what is made of them.
+//! * `roots`, `tables`: the memory; `calls`, `intrinsics`: what is called.
 
 mod access;
 mod atomics;

@@ -9,6 +9,7 @@ mod declarations;
 mod device;
 mod expressions;
 mod memory;
+mod names;
 mod statements;
 
 use super::EmitError;
@@ -20,11 +21,18 @@ use std::collections::{BTreeMap, BTreeSet};
 ///
 /// # Errors
 /// [`EmitError::Unsupported`] when something has no form in WGSL (64-bit integers, signed and unsigned atomic
-/// minima or maxima of one buffer, push constants that are indexed with a variable).
+/// minima or maxima of one buffer, push constants that are indexed with a variable), or when the kernel's
+/// name means something else in WGSL.
 pub fn emit(structured: &Structured) -> Result<String, EmitError> {
     let mut writer = Writer::new(&structured.kernel);
     writer.statements(&structured.body)?;
-    writer.text(&structured.body)
+    let name = &structured.kernel.name;
+    match names::objection(name, &writer.body) {
+        Some(objection) => {
+            Err(EmitError::Unsupported(format!("the name `{name}`, which {objection}, in WGSL")))
+        }
+        None => writer.text(&structured.body),
+    }
 }
 
 /// A text in the making: the body so far, and what it needs to be declared.

@@ -49,3 +49,11 @@ fn what_has_no_form_is_refused_by_name() {
     k.end(0, Terminator::Return);
     assert!(emitted(&k.build()).unwrap_err().to_string().contains("signed and unsigned"));
 }
+
+#[test]
+fn a_kernel_keeps_its_name_or_is_refused() {
+    let mut kernel = places().kernel;
+    kernel.name = "pass".into();
+    let message = emitted(&kernel).unwrap_err().to_string();
+    assert!(message.contains("`pass`, which is a reserved word"), "{message}");
+}
