@@ -1,3 +1,4 @@
 //! What the tests of Parallax share.
 
 pub mod gpu;
+pub mod models;
