@@ -40,8 +40,8 @@ pub enum SourcesError {
 pub struct Sources {
     /// Its cargo features.
     pub features: BTreeSet<String>,
-    /// SHA-256 over the names and contents of all `.rs` files and `Cargo.toml`s of the crate and its path
-    /// dependencies.
+    /// SHA-256 over the names and contents of the manifests, build scripts and library sources of the crate and
+    /// of its path dependencies.
     pub sha256: String,
 }
 
@@ -82,6 +82,13 @@ struct Package {
     source: Option<String>,
     manifest_path: PathBuf,
     features: BTreeMap<String, Vec<String>>,
+    targets: Vec<Target>,
+}
+
+#[derive(Deserialize)]
+struct Target {
+    kind: Vec<String>,
+    src_path: PathBuf,
 }
 
 #[derive(Deserialize)]
@@ -151,13 +158,27 @@ impl Package {
     fn collect_files(&self, files: &mut Files) -> Result<(), SourcesError> {
         let dir = self.manifest_path.parent().unwrap_or(Path::new("."));
         self.collect(&self.manifest_path, dir, files)?;
-        self.collect_sources(&dir.join("src"), dir, files)
+        for target in &self.targets {
+            match target.kind.first().map(String::as_str) {
+                Some("bin" | "test" | "bench" | "example") | None => {}
+                Some("custom-build") => self.collect(&target.src_path, dir, files)?,
+                Some(_library) => {
+                    let folder = target.src_path.parent().unwrap_or(dir);
+                    self.collect_sources(folder, dir, files)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     fn collect_sources(&self, folder: &Path, dir: &Path, files: &mut Files) -> Result<(), SourcesError> {
         let failed = |error| SourcesError::Read { path: folder.to_owned(), error };
         for entry in std::fs::read_dir(folder).map_err(failed)? {
             let path = entry.map_err(failed)?.path();
+            // A library whose root lies beside its manifest has cargo's output beside it too.
+            if path.ends_with("target") {
+                continue;
+            }
             if path.is_dir() {
                 self.collect_sources(&path, dir, files)?;
             } else if path.extension().is_some_and(|extension| extension == "rs") {
