@@ -3,4 +3,8 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_op_in_unsafe_fn)]
 
-pub mod trace;
+pub mod bounce;
+pub mod primary;
+pub mod shade;
+pub mod shadow;
+pub mod surface;

@@ -15,4 +15,5 @@ pub mod layout;
 pub mod math;
 pub mod output;
 pub mod scene;
+pub mod shading;
 pub mod traversal;

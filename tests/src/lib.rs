@@ -2,3 +2,5 @@
 
 pub mod gpu;
 pub mod models;
+pub mod oracle;
+pub mod stage;

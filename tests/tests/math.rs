@@ -112,7 +112,7 @@ fn corrected_square_root_is_the_hardwares_from_approximations_off_by_ten_ulps() 
     let mut bits = 0u32;
     for i in 0..4_000_000 {
         bits = bits.wrapping_add(0x9E37_79B1);
-        let a = f32::from_bits(if i < HOSTILE.len() { HOSTILE[i] } else { bits });
+        let a = f32::from_bits(HOSTILE.get(i).copied().unwrap_or(bits));
         let error = (i % 21) as i32 - 10;
         let got = math::sqrt_from(a, |n| nudge(n.sqrt(), error));
         assert!(same(got, a.sqrt()), "sqrt {:08x} = {:08x} (error {error})", a.to_bits(), got.to_bits());

@@ -7,7 +7,7 @@
 
 use crate::layout::Ray;
 use crate::math::{self, PI, max, min, vector};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// The box around a sphere, each plane rounded to nearest. An acceleration structure must use this very box (or a larger one): what
 /// rounding takes from it, the padding of boxes gives back.
@@ -69,12 +69,12 @@ pub fn point_and_normal(centre: [f32; 3], radius: f32, ray: &Ray, t: f32) -> (Ve
     (centre + normal * radius, normal)
 }
 
-/// Texture coordinates of the unit vector `direction`: u runs once around the y axis, from −z over −x (0.25), +z (0.5) and +x (0.75); v goes
+/// Texture coordinates of the unit vector `direction`: u runs once around the y axis, from −z over −x (0.25), +z (0.5) and +x (0.75), to the right as seen from outside; v goes
 /// from 0 at −y to 1 at +y.
 #[inline]
-pub fn uv(direction: Vec3) -> [f32; 2] {
+pub fn uv(direction: Vec3) -> Vec2 {
     let around = math::atan2(direction.x, direction.z) * (0.5 / PI) + 0.5;
     let across = math::sqrt(direction.x * direction.x + direction.z * direction.z);
     let from_top = math::atan2(across, direction.y) * (1.0 / PI);
-    [around, 1.0 - from_top]
+    Vec2::new(around, 1.0 - from_top)
 }
