@@ -190,7 +190,7 @@ fn front_options(options: &Options, profile: Profile, sources: &Sources) -> Fron
 /// Structures, checks and emits one kernel; or all that is wrong with it.
 fn entry(kernel: Kernel, profile: Profile, options: &Options) -> Result<Entry, Vec<Refusal>> {
     let name = kernel.name.clone();
-    let refuse = |reason: Reason| Refusal { entry: name.clone(), function: None, reason };
+    let refuse = |reason: Reason| Refusal { entry: name.clone(), function: None, place: None, reason };
     let structured = structure(&kernel).map_err(|reason| vec![refuse(reason)])?;
     let problems = check::problems(&structured, options.wide);
     if !problems.is_empty() {

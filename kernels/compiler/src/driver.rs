@@ -109,6 +109,7 @@ fn rustc_flags(crate_dir: &Path) -> Vec<String> {
     let llvm: Vec<&str> = LLVM.into_iter().chain(convergent.iter().map(String::as_str)).collect();
     vec![
         "--cfg=kernel_ir".into(),
+        "-Cdebuginfo=line-tables-only".into(), // so that a refusal can say where
         "-Cno-vectorize-slp".into(),
         "-Cno-vectorize-loops".into(),
         format!("-Cllvm-args={}", llvm.join(" ")),

@@ -4,7 +4,7 @@ use crate::cleanup::cleanup;
 use crate::driver::{self, DriverError};
 use crate::ir::{Kernel, Op};
 use crate::lower::{self, ENTRY, lower};
-use crate::parse::{Unread, parse};
+use crate::parse::{Problem, Unread, parse};
 use crate::refusal::{Reason, Refusal};
 use std::path::{Path, PathBuf};
 
@@ -48,10 +48,11 @@ pub fn kernels_of(text: &str, options: &FrontOptions) -> Front {
     };
     let parsed = parse(text, wanted);
     let mut front = Front::default();
-    for Unread { name, reasons } in parsed.unread {
-        let refuse =
-            |reason| Refusal { entry: name.trim_start_matches(ENTRY).into(), function: None, reason };
-        front.refusals.extend(reasons.into_iter().map(refuse));
+    let origin = |location: Option<u32>| parsed.module.locations.origin(location?);
+    for Unread { name, problems } in parsed.unread {
+        let entry = name.trim_start_matches(ENTRY);
+        let refuse = |problem: Problem| Refusal::new(entry, problem.reason, origin(problem.location));
+        front.refusals.extend(problems.into_iter().map(refuse));
     }
     for function in &parsed.module.functions {
         match lower(&parsed.module, function, lower::Options { vec4: !options.no_vec4 }) {
@@ -59,8 +60,8 @@ pub fn kernels_of(text: &str, options: &FrontOptions) -> Front {
                 cleanup(&mut kernel);
                 match leftover(&kernel, options.wide) {
                     None => front.kernels.push(kernel),
-                    Some(reason) => {
-                        front.refusals.push(Refusal { entry: kernel.name, function: None, reason });
+                    Some(Problem { reason, location }) => {
+                        front.refusals.push(Refusal::new(&kernel.name, reason, origin(location)));
                     }
                 }
             }
@@ -73,12 +74,14 @@ pub fn kernels_of(text: &str, options: &FrontOptions) -> Front {
 }
 
 /// What no device can do and is still there after clean-up.
-fn leftover(kernel: &Kernel, wide: bool) -> Option<Reason> {
-    for id in kernel.function.placed() {
-        if let Op::Source(op) = &kernel.function[id].op {
-            return Some(Reason::Unknown(format!("an aggregate or vector that stays whole ({op:?})")));
-        }
-    }
-    let name = kernel.wide_values().into_iter().next().filter(|_| !wide)?;
-    Some(Reason::Wide(name.to_string()))
+fn leftover(kernel: &Kernel, wide: bool) -> Option<Problem> {
+    let function = &kernel.function;
+    function.placed().find_map(|id| {
+        let reason = match &function[id].op {
+            Op::Source(op) => Reason::Unknown(format!("an aggregate or vector that stays whole ({op:?})")),
+            _ if !wide && kernel.is_wide(id) => Reason::Wide(function[id].name.to_string()),
+            _ => return None,
+        };
+        Some(Problem { reason, location: function[id].location })
+    })
 }

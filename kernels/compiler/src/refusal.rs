@@ -1,5 +1,6 @@
 //! Why a kernel cannot be compiled, and what to write instead.
 
+use crate::ir::Origin;
 use std::fmt;
 
 /// A kernel that is not compiled, and why. A kernel may have several.
@@ -7,10 +8,20 @@ use std::fmt;
 pub struct Refusal {
     /// The entry point.
     pub entry: String,
-    /// The function that is the trouble, where the IR still tells.
+    /// The function that must not be called, or else the one that holds the trouble, where the IR still tells.
     pub function: Option<String>,
+    /// `file:line` of the kernel's source, where the IR still tells.
+    pub place: Option<String>,
     /// Why.
     pub reason: Reason,
+}
+
+impl Refusal {
+    /// A refusal of the kernel `entry` for something that comes from `origin`.
+    pub fn new(entry: &str, reason: Reason, origin: Option<Origin>) -> Self {
+        let (function, place) = origin.map(|origin| (origin.function, origin.place)).unzip();
+        Self { entry: entry.into(), function, place, reason }
+    }
 }
 
 /// Why a kernel is refused.
@@ -63,6 +74,11 @@ pub enum Reason {
 }
 
 impl Reason {
+    /// Whether the function that must not be called says it all.
+    pub(crate) fn is_about_a_call(&self) -> bool {
+        matches!(self, Reason::Panic { .. } | Reason::NotInlined | Reason::NoBody | Reason::Allocation)
+    }
+
     /// What to write instead.
     pub fn instead(&self) -> &'static str {
         match self {
@@ -112,6 +128,9 @@ impl fmt::Display for Reason {
             Reason::Allocation => write!(f, "memory is allocated"),
             Reason::IndirectCall => write!(f, "a function pointer or trait object is called"),
             Reason::Double => write!(f, "f64 is used, which devices lack"),
+            Reason::Wide(value) if value.is_empty() => {
+                write!(f, "a value is wider than 32 bits, which not all devices have")
+            }
             Reason::Wide(value) => {
                 write!(f, "the value %{value} is wider than 32 bits, which not all devices have")
             }
@@ -144,6 +163,9 @@ impl fmt::Display for Refusal {
         write!(f, "kernel `{}`", self.entry)?;
         if let Some(function) = &self.function {
             write!(f, ", `{function}`")?;
+        }
+        if let Some(place) = &self.place {
+            write!(f, " ({place})")?;
         }
         write!(f, ": {}; instead: {}", self.reason, self.reason.instead())
     }

@@ -12,6 +12,8 @@ pub struct Builder {
     pub function: Function,
     /// The instructions of the block so far.
     pub out: Vec<Id>,
+    /// Where new instructions come from.
+    pub location: Option<u32>,
 }
 
 impl Builder {
@@ -21,15 +23,19 @@ impl Builder {
         if let Some(value) = fold(&self.function, &op, &ty) {
             return value;
         }
-        let id = self.function.push(op, ty);
-        self.out.push(id);
-        Value::Inst(id)
+        Value::Inst(self.append(op, ty))
     }
 
     /// Appends an instruction that makes no value.
     pub fn effect(&mut self, op: Op) {
-        let id = self.function.push(op, Type::Void);
+        self.append(op, Type::Void);
+    }
+
+    fn append(&mut self, op: Op, ty: Type) -> Id {
+        let id = self.function.push(op, ty);
+        self.function[id].location = self.location;
         self.out.push(id);
+        id
     }
 
     /// What `value` is a copy of.

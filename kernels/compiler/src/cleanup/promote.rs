@@ -9,7 +9,7 @@ use crate::ir::{BinaryOp, CastOp, Function, Id, IntPredicate, Op, Type, Value, m
 /// Rewrites all integers of odd widths.
 pub fn odd_widths(function: &mut Function) {
     let types = function.instructions.iter().map(|instruction| instruction.ty.clone()).collect();
-    let build = Builder { function: std::mem::take(function), out: vec![] };
+    let build = Builder { function: std::mem::take(function), ..Builder::default() };
     let mut promotion = Promotion { types, build };
     for block in 0..promotion.build.function.blocks.len() {
         let ids = std::mem::take(&mut promotion.build.function.blocks[block].instructions);
@@ -38,6 +38,7 @@ impl Promotion {
     fn instruction(&mut self, id: Id) {
         use BinaryOp::*;
         let ty = self.types[id.index()].clone();
+        self.build.location = self.build.function[id].location;
         let op = match self.build.function[id].op.clone() {
             Op::Binary(op @ (LShr | UDiv | URem), a, b) => Op::Binary(op, self.zeros(&a), self.zeros(&b)),
             Op::Binary(AShr, a, b) => Op::Binary(AShr, self.signs(&a), self.zeros(&b)),

@@ -1,6 +1,6 @@
 //! Functions, blocks and the module around them.
 
-use super::{BlockId, Id, Instruction, Op, Type, Value};
+use super::{BlockId, Id, Instruction, Locations, Op, Type, Value};
 use std::collections::{BTreeMap, HashSet};
 use std::ops::{Index, IndexMut};
 use std::rc::Rc;
@@ -59,7 +59,7 @@ pub struct Function {
 impl Function {
     /// Adds an instruction, which no block holds yet.
     pub fn push(&mut self, op: Op, ty: Type) -> Id {
-        self.instructions.push(Instruction { op, ty, exact: false, name: "".into() });
+        self.instructions.push(Instruction { op, ty, exact: false, name: "".into(), location: None });
         Id::new(self.instructions.len() - 1)
     }
 
@@ -153,4 +153,6 @@ pub struct Module {
     pub functions: Vec<Function>,
     /// The names of all functions that have a body.
     pub defined: HashSet<String>,
+    /// Where instructions come from.
+    pub locations: Locations,
 }

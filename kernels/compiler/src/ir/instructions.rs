@@ -17,6 +17,8 @@ pub struct Instruction {
     pub exact: bool,
     /// The name in the IR, for messages.
     pub name: Rc<str>,
+    /// Where it comes from, for [`Locations`](super::Locations).
+    pub location: Option<u32>,
 }
 
 /// What an instruction does.

@@ -1,6 +1,6 @@
 //! A lowered kernel and the memory that it names.
 
-use super::{Function, RootId, Type, Value};
+use super::{Function, Id, RootId, Type};
 use std::rc::Rc;
 
 /// Where a root lives.
@@ -70,15 +70,15 @@ impl Kernel {
 
     /// The names of the values that are wider than 32 bits.
     pub fn wide_values(&self) -> Vec<Rc<str>> {
-        let wide = |ty: &Type| matches!(ty, Type::Int(bits) if *bits > 32);
-        let needs = |id: &super::Id| {
-            let mut found = wide(&self.function[*id].ty);
-            self.function[*id].op.for_each_operand(|v| match v {
-                Value::Inst(_) => {}
-                constant => found |= wide(&self.function.type_of(constant)),
-            });
-            found
-        };
-        self.function.placed().filter(needs).map(|id| self.function[id].name.clone()).collect()
+        let wide = self.function.placed().filter(|id| self.is_wide(*id));
+        wide.map(|id| self.function[id].name.clone()).collect()
+    }
+
+    /// Whether an instruction makes or takes a value wider than 32 bits.
+    pub fn is_wide(&self, id: Id) -> bool {
+        let wide = |ty: &Type| matches!(ty, Type::Int(33..));
+        let mut found = wide(&self.function[id].ty);
+        self.function[id].op.for_each_operand(|value| found |= wide(&self.function.type_of(value)));
+        found
     }
 }

@@ -6,6 +6,7 @@
 mod function;
 mod instructions;
 mod kernel;
+mod locations;
 mod operands;
 mod operations;
 mod types;
@@ -14,6 +15,7 @@ mod values;
 pub use function::{Block, Function, Global, Module, Terminator};
 pub use instructions::{Instruction, Op, SourceOp};
 pub use kernel::{Kernel, Root, Space};
+pub use locations::{Locations, Origin, Record};
 pub use operations::{AtomicOp, BinaryOp, Builtin, CastOp, FloatPredicate, IntPredicate, MathOp, SubgroupOp};
 pub use types::Type;
 pub use values::{BlockId, Id, RootId, Value, mask, sign_extend};

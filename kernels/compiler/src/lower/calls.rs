@@ -30,14 +30,17 @@ pub(super) fn refusals(module: &Module, source: &Function, entry: &str) -> Vec<R
         match refusals.iter_mut().find(|refusal| refusal.function == function) {
             Some(Refusal { reason: Reason::Panic { calls }, .. }) => *calls += 1,
             Some(_) => {}
-            None => refusals.push(Refusal { entry: entry.into(), function, reason }),
+            None => {
+                let origin = source[id].location.and_then(|at| module.locations.origin(at));
+                refusals.push(Refusal { function, ..Refusal::new(entry, reason, origin) })
+            }
         }
     }
     refusals
 }
 
 /// Why a function cannot be called.
-fn refuse(module: &Module, name: &str) -> Option<Reason> {
+pub(super) fn refuse(module: &Module, name: &str) -> Option<Reason> {
     let known = name.starts_with("llvm.") || name.starts_with("__k_");
     if is_panic(name) {
         return Some(Reason::Panic { calls: 1 });
@@ -146,7 +149,7 @@ impl Lowering<'_> {
     }
 }
 
-fn unknown(name: &str) -> Reason {
+pub(super) fn unknown(name: &str) -> Reason {
     Reason::Unknown(format!("the function `{name}`"))
 }
 

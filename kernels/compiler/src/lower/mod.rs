@@ -62,14 +62,15 @@ pub fn lower(
     let entry = source.name.trim_start_matches(ENTRY);
     let mut refusals = calls::refusals(module, source, entry);
     let mut lowering = Lowering::new(module, source, options);
-    let mut note = |reason| {
-        let refusal = Refusal { entry: entry.into(), function: None, reason };
-        if !refusals.contains(&refusal) {
+    let mut note = |reason, location: Option<u32>| {
+        let refusal = Refusal::new(entry, reason, location.and_then(|at| module.locations.origin(at)));
+        let same = |other: &Refusal| other.reason == refusal.reason && other.function == refusal.function;
+        if !refusals.iter().any(same) && !refusal.reason.is_about_a_call() {
             refusals.push(refusal);
         }
     };
     if let Err(reason) = lowering.find_roots() {
-        note(reason);
+        note(reason, None);
     }
     lowering.blocks(&mut note);
     if refusals.is_empty() { Ok(lowering.kernel(entry)) } else { Err(refusals) }
@@ -106,7 +107,7 @@ impl<'a> Lowering<'a> {
             bounds: Bounds::new(source),
             origins: Origins::new(source),
             options,
-            build: Builder { function: source.clone(), out: vec![] },
+            build: Builder { function: source.clone(), ..Builder::default() },
             tails: vec![vec![]; source.blocks.len()],
             threads: [1; 3],
             roots: vec![],
@@ -118,7 +119,7 @@ impl<'a> Lowering<'a> {
     }
 
     /// Translates all blocks; `note` hears of all problems.
-    fn blocks(&mut self, note: &mut dyn FnMut(Reason)) {
+    fn blocks(&mut self, note: &mut dyn FnMut(Reason, Option<u32>)) {
         let successors: Vec<Vec<usize>> = self.source.blocks.iter().map(|b| indices(&b.terminator)).collect();
         let order = Dominators::new(&successors, 0).reverse_postorder;
         for block in self.build.function.block_ids() {
@@ -126,14 +127,15 @@ impl<'a> Lowering<'a> {
         }
         for &block in &order {
             for &id in &self.source.blocks[block].instructions {
+                self.build.location = self.source[id].location;
                 if let Err(reason) = self.instruction(id) {
-                    note(reason);
+                    note(reason, self.build.location);
                 }
             }
             self.build.function.blocks[block].instructions = std::mem::take(&mut self.build.out);
         }
         if let Err(reason) = self.close_phis() {
-            note(reason);
+            note(reason, None);
         }
         for block in 0..self.tails.len() {
             let tail = std::mem::take(&mut self.tails[block]);

@@ -2,7 +2,7 @@
 
 use super::linear::Linear;
 use super::origins::{Step, walk};
-use super::{Lowering, Result};
+use super::{Lowering, Result, calls};
 use crate::ir::{BinaryOp, CastOp, Id, Op, RootId, SourceOp, Type, Value};
 use crate::refusal::Reason;
 
@@ -47,7 +47,7 @@ impl Lowering<'_> {
                 "a pointer is loaded from memory: a reference in an array or a struct".into(),
             )),
             Op::Source(SourceOp::Call(name, _)) if !self.made.contains_key(&id) => {
-                Err(Reason::Unknown(format!("the pointer that `{name}` yields")))
+                Err(calls::refuse(self.module, name).unwrap_or_else(|| calls::unknown(name)))
             }
             Op::Cast(CastOp::IntToPtr, _) => Err(Reason::Pointer("an integer is made a pointer".into())),
             _ => match self.made.get(&id) {

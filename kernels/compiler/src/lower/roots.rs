@@ -26,7 +26,8 @@ impl Lowering<'_> {
                 _ => {}
             }
         }
-        self.find_atomics()
+        self.find_atomics();
+        Ok(())
     }
 
     fn add_local(&mut self, id: Id, ty: &Type) {
@@ -63,7 +64,7 @@ impl Lowering<'_> {
     }
 
     /// What is accessed atomically is an array of words.
-    fn find_atomics(&mut self) -> Result<()> {
+    fn find_atomics(&mut self) {
         for id in self.source.placed() {
             let pointer = match &self.source[id].op {
                 Op::Source(SourceOp::Atomic(_, pointer, _) | SourceOp::CompareExchange(pointer, ..)) => {
@@ -74,12 +75,12 @@ impl Lowering<'_> {
                 _ => continue,
             };
             for origin in self.origins.of(pointer) {
-                let root = self.root_of(&origin)?;
+                // What has no root is told where it is accessed.
+                let Ok(root) = self.root_of(&origin) else { continue };
                 let root = &mut self.roots[root.index()];
                 (root.atomic, root.vec4) = (true, false);
             }
         }
-        Ok(())
     }
 
     /// The root that an origin stands for.

@@ -2,23 +2,24 @@
 
 use super::Result;
 use super::cursor::{Cursor, Locals, Names};
+use super::debug::location;
 use super::instructions::Line;
 use super::lexer::{Token, tokens};
+use super::module::Problem;
 use crate::ir::{Block, BlockId, Function, Id, Op, Terminator, Type, Value};
-use crate::refusal::Reason;
 
 /// Reads the lines between `define … {` and `}`.
 ///
 /// # Errors
 /// All that is not known, line by line.
-pub fn function(name: &str, lines: &[&str], names: &Names) -> std::result::Result<Function, Vec<Reason>> {
+pub fn function(name: &str, lines: &[&str], names: &Names) -> std::result::Result<Function, Vec<Problem>> {
     let logical = logical_lines(lines);
     let tokens: Result<Vec<Vec<Token>>> = logical.iter().map(|line| tokens(line)).collect();
-    let tokens = tokens.map_err(|reason| vec![reason])?;
+    let tokens = tokens.map_err(|reason| vec![Problem { reason, location: None }])?;
     let mut body = Body::declare(name, &tokens);
     for (text, tokens) in logical.iter().zip(&tokens) {
         if let Err(reason) = body.line(text, tokens, names) {
-            body.problems.push(reason);
+            body.problems.push(Problem { reason, location: location(text) });
         }
     }
     if body.problems.is_empty() { Ok(body.function) } else { Err(body.problems) }
@@ -67,7 +68,7 @@ struct Body {
     function: Function,
     locals: Locals,
     current: BlockId,
-    problems: Vec<Reason>,
+    problems: Vec<Problem>,
 }
 
 impl Body {
@@ -115,6 +116,7 @@ impl Body {
                 let id = id.unwrap_or_else(|| self.reserve(""));
                 let instruction = &mut self.function[id];
                 (instruction.op, instruction.ty, instruction.exact) = (op, ty, exact);
+                instruction.location = location(text);
                 self.function[self.current].instructions.push(id);
             }
         }
@@ -127,7 +129,7 @@ mod tests {
     use super::*;
     use crate::ir::{BinaryOp, IntPredicate};
 
-    fn read(text: &str) -> std::result::Result<Function, Vec<Reason>> {
+    fn read(text: &str) -> std::result::Result<Function, Vec<Problem>> {
         function("f", &text.lines().collect::<Vec<_>>(), &Names::default())
     }
 
@@ -179,7 +181,7 @@ head:                            ; preds = %head, %start
   ret void",
         )
         .expect_err("nothing of this is known");
-        let text: Vec<String> = problems.iter().map(Reason::to_string).collect();
+        let text: Vec<String> = problems.iter().map(|problem| problem.reason.to_string()).collect();
         for (text, part) in text.iter().zip(["`contract`", "`va_arg`", "%p", "function pointer", "fence"]) {
             assert!(text.contains(part), "{text}");
         }

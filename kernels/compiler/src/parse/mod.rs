@@ -7,6 +7,7 @@ mod attributes;
 mod calls;
 mod constants;
 mod cursor;
+mod debug;
 mod function;
 mod instructions;
 mod lexer;
@@ -14,7 +15,7 @@ mod memory;
 mod module;
 mod types;
 
-pub use module::{Parsed, Unread, parse};
+pub use module::{Parsed, Problem, Unread, parse};
 
 use crate::refusal::Reason;
 

@@ -1,6 +1,7 @@
 //! The module: named types, globals, and the functions that are wanted.
 
 use super::cursor::{Cursor, Locals, Names};
+use super::debug::locations;
 use super::function::function;
 use super::lexer::{Token, tokens};
 use crate::ir::{Global, Module, Type};
@@ -12,8 +13,17 @@ use std::collections::HashMap;
 pub struct Unread {
     /// The symbol.
     pub name: String,
-    /// All reasons.
-    pub reasons: Vec<Reason>,
+    /// All that is not known in it.
+    pub problems: Vec<Problem>,
+}
+
+/// Something that is not known.
+#[derive(Debug, PartialEq)]
+pub struct Problem {
+    /// What.
+    pub reason: Reason,
+    /// Where it comes from, for [`Locations`](crate::ir::Locations).
+    pub location: Option<u32>,
 }
 
 /// What was read, and what could not be.
@@ -30,6 +40,7 @@ pub fn parse(text: &str, wanted: impl Fn(&str) -> bool) -> Parsed {
     let lines: Vec<&str> = text.lines().collect();
     let names = Names { types: named_types(&lines) };
     let mut parsed = Parsed::default();
+    parsed.module.locations = locations(&lines);
     let mut at = 0;
     while at < lines.len() {
         let line = lines[at];
@@ -51,7 +62,7 @@ fn define(name: String, body: &[&str], names: &Names, wanted: impl Fn(&str) -> b
     if wanted(&name) {
         match function(&name, body, names) {
             Ok(function) => parsed.module.functions.push(function),
-            Err(reasons) => parsed.unread.push(Unread { name: name.clone(), reasons }),
+            Err(problems) => parsed.unread.push(Unread { name: name.clone(), problems }),
         }
     }
     parsed.module.defined.insert(name);
