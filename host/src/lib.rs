@@ -3,6 +3,7 @@
 pub mod backend;
 pub mod build;
 pub mod compare;
+pub mod diff;
 pub mod output;
 pub mod render;
 pub mod rig;

@@ -1,0 +1,195 @@
+//! The passes of one view over one band of rows.
+
+use super::SceneData;
+use super::buffers::SceneBuffers;
+use super::renderer::Stages;
+use crate::backend::{Backend, BackendError};
+use kernel_api::Buffer;
+use parallax_kernels::{bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface};
+use parallax_shared::effects::Effects;
+use parallax_shared::layout::{self, Hit, RayCounts, View};
+use parallax_shared::shading::shadow;
+
+/// The names of the views.
+pub const EYES: [&str; 2] = ["left", "right"];
+
+/// A run of rows of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Band {
+    /// The first of them.
+    pub first_row: u32,
+    /// How many.
+    pub rows: u32,
+}
+
+impl Band {
+    /// Bands of at most `rows` rows that make up a picture of `height` rows.
+    pub fn of_picture(height: u32, rows: u32) -> impl Iterator<Item = Self> {
+        let rows = rows.max(1);
+        let band = move |first_row| Self { first_row, rows: rows.min(height - first_row) };
+        (0..height).step_by(rows as usize).map(band)
+    }
+}
+
+/// What every stage has made of a band: one element per pixel, `width · rows` of them, unless something else is said.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values {
+    /// What the primary rays hit.
+    pub hits: Vec<Hit>,
+    /// What shading knows of those points.
+    pub surfaces: Vec<layout::Surface>,
+    /// Bit by bit, which lights are seen; [`shadow_words`](Self::shadow_words) words per pixel, which follow each other.
+    pub shadow: Vec<u32>,
+    /// Words of [`shadow`](Self::shadow) per pixel.
+    pub shadow_words: usize,
+    /// Linear colour without reflection and refraction; the fourth word is 1.
+    pub local: Vec<[f32; 4]>,
+    /// Primary rays traced.
+    pub primary_rays: Vec<RayCounts>,
+    /// Rays to lights traced from the first surface.
+    pub shadow_rays: Vec<RayCounts>,
+    /// What reflection and refraction add, in scenes that have any.
+    pub bounced: Option<Bounced>,
+}
+
+/// What the pass `bounce` makes of a band.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounced {
+    /// Linear colour with reflection and refraction; the fourth word is 1.
+    pub colour: Vec<[f32; 4]>,
+    /// Rays traced for it, those to lights included.
+    pub rays: Vec<RayCounts>,
+}
+
+impl Values {
+    /// The linear colour that is seen.
+    pub fn colour(&self) -> &[[f32; 4]] {
+        self.bounced.as_ref().map_or(&self.local, |bounced| &bounced.colour)
+    }
+
+    /// The rays that were traced, stage by stage.
+    pub fn rays(&self) -> impl Iterator<Item = &[RayCounts]> {
+        let bounced = self.bounced.iter().map(|bounced| &bounced.rays[..]);
+        [&self.primary_rays[..], &self.shadow_rays].into_iter().chain(bounced)
+    }
+}
+
+/// The outputs of the passes over one band.
+#[derive(Clone, Copy)]
+pub(super) struct BandBuffers {
+    hits: Buffer<Hit>,
+    surfaces: Buffer<layout::Surface>,
+    shadow: Buffer<u32>,
+    local: Buffer<[f32; 4]>,
+    primary_rays: Buffer<RayCounts>,
+    shadow_rays: Buffer<RayCounts>,
+    bounced: Option<(Buffer<[f32; 4]>, Buffer<RayCounts>)>,
+}
+
+impl BandBuffers {
+    /// Size of the largest element that a buffer has per pixel.
+    pub fn bytes_per_pixel(data: &SceneData) -> u32 {
+        (size_of::<layout::Surface>() as u32).max(4 * shadow::words(data.info.lights))
+    }
+
+    /// Buffers for the band of `view`, poisoned: what no pass writes is found by whoever compares.
+    pub fn create<B: Backend>(backend: &mut B, data: &SceneData, view: &View) -> Result<Self, BackendError> {
+        let pixels = view.width as usize * view.rows as usize;
+        let bounces = data.effects.0 & Effects::REFLECTION.with(Effects::REFRACTION).0 != 0;
+        Ok(Self {
+            hits: backend.create("hits", pixels)?,
+            surfaces: backend.create("surfaces", pixels)?,
+            shadow: backend.create("shadow bits", pixels * shadow::words(data.info.lights) as usize)?,
+            local: backend.create("local colours", pixels)?,
+            primary_rays: backend.create("primary rays", pixels)?,
+            shadow_rays: backend.create("shadow rays", pixels)?,
+            bounced: match bounces {
+                true => Some((backend.create("colours", pixels)?, backend.create("bounced rays", pixels)?)),
+                false => None,
+            },
+        })
+    }
+
+    /// Runs the passes in order.
+    pub fn run<B: Backend>(
+        &self,
+        data: &SceneData,
+        scene: &SceneBuffers,
+        view: View,
+        stages: &mut Stages<B>,
+    ) -> Result<(), BackendError> {
+        let Self { hits, surfaces, shadow: seen, local, primary_rays, shadow_rays, bounced } = *self;
+        let SceneBuffers { rows, triangles, records, texels } = *scene;
+        let (info, effects) = (data.info, data.effects.0);
+        stages.run(&Primary { view, info, rows, hits, counts: primary_rays }, &view)?;
+        stages.run(&Surface { view, info, triangles, records, hits, surfaces, effects }, &view)?;
+        let counts = shadow_rays;
+        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
+        let colours = local;
+        stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)?;
+        let Some((colours, counts)) = bounced else { return Ok(()) };
+        let bounce = Bounce {
+            view,
+            info,
+            rows,
+            triangles,
+            records,
+            texels,
+            surfaces,
+            local,
+            colours,
+            counts,
+            effects,
+        };
+        stages.run(&bounce, &view)
+    }
+
+    /// Everything that the passes have written.
+    pub fn read<B: Backend>(&self, backend: &mut B, data: &SceneData) -> Result<Values, BackendError> {
+        let bounced = match self.bounced {
+            Some((colour, rays)) => {
+                Some(Bounced { colour: backend.read(colour)?, rays: backend.read(rays)? })
+            }
+            None => None,
+        };
+        Ok(Values {
+            hits: backend.read(self.hits)?,
+            surfaces: backend.read(self.surfaces)?,
+            shadow: backend.read(self.shadow)?,
+            shadow_words: shadow::words(data.info.lights) as usize,
+            local: backend.read(self.local)?,
+            primary_rays: backend.read(self.primary_rays)?,
+            shadow_rays: backend.read(self.shadow_rays)?,
+            bounced,
+        })
+    }
+
+    /// Gives the memory back.
+    pub fn release<B: Backend>(self, backend: &mut B) {
+        backend.release(self.hits);
+        backend.release(self.surfaces);
+        backend.release(self.shadow);
+        backend.release(self.local);
+        backend.release(self.primary_rays);
+        backend.release(self.shadow_rays);
+        if let Some((colour, rays)) = self.bounced {
+            backend.release(colour);
+            backend.release(rays);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Band;
+
+    #[test]
+    fn bands_make_up_the_picture() {
+        let bands =
+            |height, rows| Band::of_picture(height, rows).map(|b| (b.first_row, b.rows)).collect::<Vec<_>>();
+        assert_eq!(bands(20, 8), [(0, 8), (8, 8), (16, 4)]);
+        assert_eq!(bands(8, 8), [(0, 8)]);
+        assert_eq!(bands(3, 100), [(0, 3)]);
+        assert_eq!(bands(2, 0), [(0, 1), (1, 1)]);
+    }
+}
