@@ -45,6 +45,16 @@ impl Batch {
         writer.flush().map_err(|source| refused("write", &path, source))
     }
 
+    /// Writes the file `name` with the lines of `text`.
+    ///
+    /// # Errors
+    /// When the file cannot be written.
+    pub fn write_text(&mut self, name: &str, text: &str) -> Result<(), OutputError> {
+        self.write(name, |file, path| {
+            writeln!(file, "{}", text.trim_end()).map_err(|source| refused("write", path, source))
+        })
+    }
+
     /// Gives all files their names and returns the paths.
     ///
     /// # Errors
@@ -84,8 +94,8 @@ mod tests {
         names
     }
 
-    fn put(batch: &mut Batch, name: &str, text: &[u8]) {
-        batch.write(name, |file, path| file.write_all(text).map_err(|e| refused("write", path, e))).unwrap();
+    fn put(batch: &mut Batch, name: &str, text: &str) {
+        batch.write_text(name, text).unwrap();
     }
 
     #[test]
@@ -93,13 +103,13 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a"), "old").unwrap();
         let mut batch = Batch::new(folder.path()).unwrap();
-        put(&mut batch, "a", b"new");
-        put(&mut batch, "b", b"new");
+        put(&mut batch, "a", "new");
+        put(&mut batch, "b", "new");
         assert_eq!(std::fs::read(folder.path().join("a")).unwrap(), b"old");
         let paths = batch.commit().unwrap();
         assert_eq!(paths, ["a", "b"].map(|name| folder.path().join(name)));
         assert_eq!(names(folder.path()), ["a", "b"]);
-        assert_eq!(std::fs::read(folder.path().join("a")).unwrap(), b"new");
+        assert_eq!(std::fs::read(folder.path().join("a")).unwrap(), b"new\n");
     }
 
     #[test]
@@ -107,7 +117,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("a"), "old").unwrap();
         let mut batch = Batch::new(folder.path()).unwrap();
-        put(&mut batch, "a", b"new");
+        put(&mut batch, "a", "new");
         let full = std::io::Error::from(std::io::ErrorKind::StorageFull);
         assert!(batch.write("b", |_, path| Err(refused("write", path, full))).is_err());
         assert_eq!(names(folder.path()).len(), 3);

@@ -6,7 +6,7 @@
 //!
 //! | channel | type | what |
 //! |---|---|---|
-//! | `t`, `right.t` | float | distance along the primary ray, in lengths of its direction; +∞ where nothing is hit |
+//! | `t`, `right.t` | float | distance from the eye along the primary ray, in world units; +∞ where nothing is hit |
 //! | `disparity`, `right.disparity` | float | disparity in pixels |
 //! | `normal.left.X` … `normal.right.Z` | float | shading normal, world space; zero where nothing is hit |
 //! | `prim_id`, `right.prim_id` | uint | number of the primitive, 4294967295 where nothing is hit |

@@ -1,0 +1,53 @@
+//! Where scenes are.
+
+use anyhow::{Result, anyhow};
+use std::path::{Path, PathBuf};
+
+/// The scene that is rendered when none is named.
+const DEFAULT: &str = "default";
+
+/// The file of the scene that a user names: a path, or the name of a shipped scene; the default scene when none is named.
+///
+/// # Errors
+/// When nothing of that name exists. What the file holds is not looked at.
+pub fn scene(named: Option<&Path>) -> Result<PathBuf> {
+    let name = named.unwrap_or(Path::new(DEFAULT));
+    if named.is_some() && name.exists() {
+        return Ok(name.to_owned());
+    }
+    let is_path = name.components().count() > 1 || name.extension().is_some();
+    if is_path {
+        return Err(anyhow!("{}: no such file", name.display()));
+    }
+    let candidates = folders().into_iter().map(|folder| folder.join(name).with_extension("toml"));
+    let missing = || anyhow!("{}: no such file, and no shipped scene of that name", name.display());
+    candidates.into_iter().find(|path| path.is_file()).ok_or_else(missing)
+}
+
+/// Folders that may hold the shipped scenes: of the source tree that this was built from, above the executable, and here.
+fn folders() -> Vec<PathBuf> {
+    let executable = std::env::current_exe().unwrap_or_default();
+    let beside = executable.ancestors().skip(1).map(|folder| folder.join("scenes"));
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    // Without `..` in it the path reads better in what is printed.
+    let source = source.canonicalize().unwrap_or(source);
+    std::iter::once(source).chain(beside).chain([PathBuf::from("scenes")]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_taken_as_it_is() {
+        let file = tempfile::NamedTempFile::new().unwrap();
+        assert_eq!(scene(Some(file.path())).unwrap(), file.path());
+    }
+
+    #[test]
+    fn what_does_not_exist_is_named() {
+        let told = |name: &str| scene(Some(Path::new(name))).unwrap_err().to_string();
+        assert_eq!(told("nowhere/a.toml"), "nowhere/a.toml: no such file");
+        assert!(told("nowhere").contains("no shipped scene of that name"));
+    }
+}

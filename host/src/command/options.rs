@@ -1,0 +1,111 @@
+//! Options that several subcommands share.
+
+use super::failure::{Blame, Failure};
+use super::locate;
+use anyhow::Context;
+use parallax::backend::{Choice, Profile, Selection};
+use parallax::render::Overrides;
+use parallax::rig::DISPLAY_WIDTH;
+use parallax::scene::{self, Scene};
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// Which scene, and what is to be otherwise than it says.
+#[derive(clap::Args)]
+pub struct SceneOptions {
+    /// A scene file (.toml), a model (.obj, .ply) or the name of a shipped scene [default: the default scene]
+    #[arg(value_name = "SCENE")]
+    scene: Option<PathBuf>,
+    /// Size of each picture, for example 800x600; the depth that the scene's interaxial distance gives is kept.
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Distance between the eyes in pixels of the zero-parallax plane.
+    #[arg(long, value_name = "PX", allow_negative_numbers = true)]
+    interaxial: Option<f32>,
+    /// Keep the first N lights, or add further ones around the scene and dim all to the same total.
+    #[arg(long, value_name = "N")]
+    lights: Option<u32>,
+}
+
+/// A scene that has been read, and how long that took.
+pub struct Loaded {
+    /// The scene, with the changes that were asked for.
+    pub scene: Scene,
+    /// Its file.
+    pub path: PathBuf,
+    /// What a user should know about it.
+    pub warnings: Vec<String>,
+    /// Seconds.
+    pub seconds: f64,
+}
+
+impl SceneOptions {
+    /// Finds and reads the scene and changes it as asked.
+    pub fn load(&self) -> Result<Loaded, Failure> {
+        let started = Instant::now();
+        let path = locate::scene(self.scene.as_deref()).usage()?;
+        let mut scene =
+            scene::load(&path).with_context(|| format!("bad scene {}", path.display())).usage()?;
+        let overrides = Overrides { size: self.size, interaxial_px: self.interaxial, lights: self.lights };
+        overrides.apply(&mut scene).usage()?;
+        let warnings = warnings(&scene);
+        Ok(Loaded { scene, path, warnings, seconds: started.elapsed().as_secs_f64() })
+    }
+}
+
+/// What the loader has put up with, and whether the rig, as it is now, breaks the guide of eq. (12).
+fn warnings(scene: &Scene) -> Vec<String> {
+    let of_rig = scene.rig.guide_warning(DISPLAY_WIDTH);
+    scene.warnings.iter().map(ToString::to_string).chain(of_rig).collect()
+}
+
+/// Where to render, and with which arithmetic.
+#[derive(clap::Args)]
+pub struct DeviceOptions {
+    /// Where to render.
+    #[arg(long, value_enum, default_value_t)]
+    backend: Choice,
+    /// The GPU whose name contains NAME, software drivers included; see `parallax devices`.
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+    /// Arithmetic: the same bits everywhere, or the driver's own division, square root and contraction.
+    #[arg(long, value_enum, default_value_t)]
+    profile: Profile,
+    /// Threads of the CPU backend; 0 for one per core.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    threads: usize,
+}
+
+impl DeviceOptions {
+    /// The same as the backends' library wants it.
+    pub fn selection(&self) -> Selection {
+        Selection {
+            backend: self.backend,
+            adapter: self.adapter.clone(),
+            profile: self.profile,
+            threads: self.threads,
+        }
+    }
+}
+
+/// `800x600`.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
+    match parsed {
+        Some([width, height]) if width > 0 && height > 0 => Ok([width, height]),
+        _ => Err("expected width and height in pixels, for example 800x600".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::size;
+
+    #[test]
+    fn sizes() {
+        assert_eq!(size("800x600"), Ok([800, 600]));
+        for wrong in ["", "800", "x", "800x", "0x600", "800x-1", "800x600x2", "8e2x600", "99999999999x1"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+}
