@@ -9,8 +9,8 @@ pub fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes")
 }
 
-/// The directory of models: what `PARALLAX_MODELS` says, or `../shared/scenes` beside the project; `None`, and a line that says so, when
-/// it is not there.
+/// The directory of models: what `PARALLAX_MODELS` says, or `../shared/scenes` beside the project; `None`,
+/// and a line that says so, when it is not there.
 pub fn models() -> Option<PathBuf> {
     let beside = || Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared/scenes");
     let directory = std::env::var_os("PARALLAX_MODELS").map_or_else(beside, PathBuf::from);
@@ -21,8 +21,8 @@ pub fn models() -> Option<PathBuf> {
     None
 }
 
-/// What is wrong with a scene that a loader has let through: numbers that are not finite, indices of nothing, normals that
-/// are no unit vectors.
+/// What is wrong with a scene that a loader has let through: numbers that are not finite, indices of nothing,
+/// normals that are no unit vectors.
 pub fn flaws(scene: &Scene) -> Vec<String> {
     let mut flaws = Vec::new();
     let mut check = |holds: bool, what: &str, i: usize| {

@@ -1,4 +1,5 @@
-//! Hostile and odd model files: each loads or is refused as it should, within two seconds and a gigabyte, and never panics.
+//! Hostile and odd model files: each loads or is refused as it should, within two seconds and a gigabyte, and
+//! never panics.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::path::{Path, PathBuf};
@@ -314,7 +315,8 @@ fn the_seeds_are_valid() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Bytes replaced, parts cut out or doubled: whatever comes of it, no panic, and nothing unusable gets through.
+    /// Bytes replaced, parts cut out or doubled: whatever comes of it, no panic, and nothing unusable gets
+    /// through.
     #[test]
     fn damaged_files_do_no_harm(
         seed in 0..6_usize,

@@ -49,7 +49,8 @@ fn every_shipped_scene_loads() {
         assert!(scene.triangles.len() + scene.spheres.len() + scene.ellipsoids.len() > 0);
         assert!(scene.rig.views(1.0).is_ok(), "{}", path.display());
         assert_eq!(scene.rig.guide_warning(DISPLAY_WIDTH), None, "{}", path.display());
-        // Only Sponza has an oddity: a triangle of zero area and normals of zero length; the dragon has more of the first kind.
+        // Only Sponza has an oddity: a triangle of zero area and normals of zero length; the dragon has more
+        // of the first kind.
         let odd = ["sponza", "dragon"].contains(&scene.name.as_str());
         assert!(odd || scene.warnings.is_empty(), "{:?}", scene.warnings);
         loaded += 1;

@@ -10,14 +10,15 @@ use crate::rig::StereoRig;
 /// Vertical angle of view, degrees.
 const FOV_DEG: f32 = 35.0;
 
-/// From the middle of the model towards the eyes: from the front (+z), a little from the right and from above.
+/// From the middle of the model towards the eyes: from the front (+z), a little from the right and from
+/// above.
 const FROM: [f32; 3] = [0.35, 0.35, 1.0];
 
 /// Size of the pictures, columns and rows.
 pub(super) const SIZE: [u32; 2] = [800, 600];
 
-/// Columns of a picture per pixel between the eyes: the picture plane of Adelson and Hodges is about 40 times as wide as the
-/// distance between the eyes.
+/// Columns of a picture per pixel between the eyes: the picture plane of Adelson and Hodges is about 40 times
+/// as wide as the distance between the eyes.
 pub(super) const COLUMNS_PER_INTERAXIAL: f32 = 40.0;
 
 /// Levels of reflection and refraction.
@@ -67,8 +68,8 @@ fn ball(triangles: &[Triangle]) -> ([f32; 3], f32) {
     (middle, if radius > 0.0 { radius } else { 1.0 })
 }
 
-/// Eyes so far away that the ball fills the picture, and nothing of it is nearer than half the distance of zero parallax, which
-/// is that of the middle (Es 2.3.2 asks for both).
+/// Eyes so far away that the ball fills the picture, and nothing of it is nearer than half the distance of
+/// zero parallax, which is that of the middle (Es 2.3.2 asks for both).
 fn rig(middle: [f32; 3], radius: f32) -> StereoRig {
     let length = FROM.iter().map(|x| x * x).sum::<f32>().sqrt();
     let distance = radius / (FOV_DEG.to_radians() / 2.0).sin();

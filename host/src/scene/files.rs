@@ -1,8 +1,9 @@
 //! Where a scene's files may lie, and reading them without trusting their size.
 //!
-//! A name inside a scene or model file is relative to the directory of the file that says it and may not leave that directory
-//! (no `..`, no absolute name): whoever opens a stranger's scene reads nothing else. A scene file reaches other models by the
-//! prefix `$PARALLAX_MODELS/`. Symbolic links are followed: they are the reader's own doing.
+//! A name inside a scene or model file is relative to the directory of the file that says it and may not
+//! leave that directory (no `..`, no absolute name): whoever opens a stranger's scene reads nothing else. A
+//! scene file reaches other models by the prefix `$PARALLAX_MODELS/`. Symbolic links are followed: they are
+//! the reader's own doing.
 
 use std::fs::File;
 use std::io::Read;
@@ -48,7 +49,8 @@ pub(crate) fn beside(directory: &Path, name: &str) -> Option<PathBuf> {
         .then(|| directory.join(path))
 }
 
-/// The file that `name` means in a scene file of directory `directory`: beside it, or in the directory of models.
+/// The file that `name` means in a scene file of directory `directory`: beside it, or in the directory of
+/// models.
 ///
 /// # Errors
 /// What was expected instead, as text.
@@ -73,8 +75,8 @@ pub(crate) fn named(directory: &Path, name: &str) -> Result<PathBuf, String> {
     ))
 }
 
-/// Where models are looked for: where [`MODELS_VARIABLE`] says, or beside the project, seen from the current directory and from
-/// the scene file's.
+/// Where models are looked for: where [`MODELS_VARIABLE`] says, or beside the project, seen from the current
+/// directory and from the scene file's.
 fn models_directories(scene: &Path) -> Vec<PathBuf> {
     match std::env::var_os(MODELS_VARIABLE) {
         Some(directory) => vec![directory.into()],

@@ -1,7 +1,7 @@
 //! Scenes: what is to be rendered, read from a scene file, from a model file or generated.
 //!
-//! [`load`] is the one door. What it returns is typed, validated and in world units: every number is finite, every index within
-//! its array, every radius greater than zero; nothing is scaled yet.
+//! [`load`] is the one door. What it returns is typed, validated and in world units: every number is finite,
+//! every index within its array, every radius greater than zero; nothing is scaled yet.
 
 mod bare;
 mod error;
@@ -43,7 +43,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Pictures that materials and the sky refer to.
     pub textures: Vec<Picture>,
-    /// Triangles. Faces of zero area are kept (their vertices may close a crack beside them); their geometric normal is zero.
+    /// Triangles. Faces of zero area are kept (their vertices may close a crack beside them); their geometric
+    /// normal is zero.
     pub triangles: Vec<Triangle>,
     /// Spheres.
     pub spheres: Vec<Sphere>,

@@ -14,16 +14,17 @@ const MAX_BYTES: u64 = 1 << 28;
 /// The most texels of a picture: 32 Mi, 512 MiB once decoded.
 const MAX_TEXELS: u64 = 1 << 25;
 
-/// The largest value of a texel; what is brighter in a sky is cut to it, so that no sum of weighted texels overflows.
+/// The largest value of a texel; what is brighter in a sky is cut to it, so that no sum of weighted texels
+/// overflows.
 const MAX_VALUE: f32 = 1e6;
 
 impl Picture {
-    /// Reads a picture. Values of up to 16 bits are taken for sRGB, floating-point ones for linear; the format is told by the
-    /// content, and by the suffix where the content does not tell (TGA).
+    /// Reads a picture. Values of up to 16 bits are taken for sRGB, floating-point ones for linear; the
+    /// format is told by the content, and by the suffix where the content does not tell (TGA).
     ///
     /// # Errors
-    /// When the file cannot be read, is in no known format, is cut short, or holds more than 32 Mi texels (said before anything
-    /// of that size is allocated).
+    /// When the file cannot be read, is in no known format, is cut short, or holds more than 32 Mi texels
+    /// (said before anything of that size is allocated).
     pub fn load(path: &Path) -> Result<Self, SceneError> {
         let bytes = files::read(path, MAX_BYTES)?;
         let wrong = |message: String| SceneError::Picture { path: path.into(), message };

@@ -36,7 +36,8 @@ impl Textures {
         Ok(number)
     }
 
-    /// The materials of the model file at `path`, with their textures; those that are missing are done without.
+    /// The materials of the model file at `path`, with their textures; those that are missing are done
+    /// without.
     pub(super) fn materials(
         &mut self,
         path: &Path,

@@ -160,8 +160,11 @@ impl<'a> Assembly<'a> {
             found => self.error(
                 object.span(),
                 format!(
-                    "expected exactly one of `sphere`, `ellipsoid`, `triangle`, `quad`, `cube`, `icosphere`, `model`, \
-                     `random_spheres`, `random_ellipsoids`, `sphereflake`, `tree`, `jacks`, `lattice`; found {}",
+                    concat!(
+                        "expected exactly one of `sphere`, `ellipsoid`, `triangle`, `quad`, `cube`, `icosphere`, ",
+                        "`model`, `random_spheres`, `random_ellipsoids`, `sphereflake`, `tree`, `jacks`, `lattice`; ",
+                        "found {}"
+                    ),
                     found.len()
                 ),
             ),

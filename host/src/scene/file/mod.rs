@@ -1,7 +1,9 @@
-//! Scene files: TOML. An unknown key, a wrong type or a value out of range is an error with its line and column.
+//! Scene files: TOML. An unknown key, a wrong type or a value out of range is an error with its line and
+//! column.
 //!
-//! World units are the scene's own; angles are degrees; colours are linear red, green, blue. Points, directions and colours are arrays of
-//! three numbers. The world is right-handed with y up (the sky's zenith).
+//! World units are the scene's own; angles are degrees; colours are linear red, green, blue. Points,
+//! directions and colours are arrays of three numbers. The world is right-handed with y up (the sky's
+//! zenith).
 //!
 //! | key | meaning | default |
 //! |---|---|---|
@@ -47,9 +49,9 @@
 //! | `sphereflake`, `tree` | [`Sphereflake`](super::generate::Sphereflake), [`Tree`](super::generate::Tree); z is up | `{}` |
 //! | `jacks`, `lattice` | [`Jacks`](super::generate::Jacks), [`Lattice`](super::generate::Lattice) | `{}` |
 //!
-//! The names of files are relative to the scene file's directory and may not leave it; `$PARALLAX_MODELS/…` names a file in the directory
-//! that the environment variable `PARALLAX_MODELS` says, `../shared/scenes` without it. The generated objects of a scene may have 4 Mi
-//! primitives together.
+//! The names of files are relative to the scene file's directory and may not leave it; `$PARALLAX_MODELS/…`
+//! names a file in the directory that the environment variable `PARALLAX_MODELS` says, `../shared/scenes`
+//! without it. The generated objects of a scene may have 4 Mi primitives together.
 
 mod assemble;
 mod schema;

@@ -2,7 +2,8 @@
 
 use parallax_shared::layout::Ellipsoid;
 
-/// The ellipsoid with half axes of lengths `radii` (each greater than zero) along the columns of `rotation` (given as rows).
+/// The ellipsoid with half axes of lengths `radii` (each greater than zero) along the columns of `rotation`
+/// (given as rows).
 pub fn ellipsoid(centre: [f32; 3], radii: [f32; 3], rotation: [[f64; 3]; 3], material: u32) -> Ellipsoid {
     let radii = radii.map(f64::from);
     let world_to_unit = std::array::from_fn(|row| {

@@ -7,8 +7,8 @@ use super::{Generate, Shapes, powers, spd};
 use crate::scene::file::value::Segments;
 use crate::scene::model::{rotation, times};
 
-/// A jack is three crossed cylinders with spheres at their ends; each of the upper levels is surrounded by eight of half its size. The whole
-/// is turned by -30 degrees about x and -20 about y.
+/// A jack is three crossed cylinders with spheres at their ends; each of the upper levels is surrounded by
+/// eight of half its size. The whole is turned by -30 degrees about x and -20 about y.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Jacks {

@@ -6,7 +6,8 @@ use super::tube::{self, Tube};
 use super::{Generate, Shapes, spd};
 use crate::scene::file::value::Segments;
 
-/// The grid points of the unit cube as spheres, and cylinders between neighbours, one colour for each direction.
+/// The grid points of the unit cube as spheres, and cylinders between neighbours, one colour for each
+/// direction.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Lattice {

@@ -1,8 +1,10 @@
-//! Generated objects: the random scenes of the papers, Haines' Standard Procedural Databases, and simple solids.
+//! Generated objects: the random scenes of the papers, Haines' Standard Procedural Databases, and simple
+//! solids.
 //!
-//! Every generator is a record that a scene file's table is read into (its keys are the record's fields) and that says how much it would make
-//! before it makes it: more than [`MAX_PRIMITIVES`] is refused. The same record always makes the same objects: random numbers are
-//! SplitMix64's, and nothing depends on the platform but the rounding of sines and cosines.
+//! Every generator is a record that a scene file's table is read into (its keys are the record's fields) and
+//! that says how much it would make before it makes it: more than [`MAX_PRIMITIVES`] is refused. The same
+//! record always makes the same objects: random numbers are SplitMix64's, and nothing depends on the platform
+//! but the rounding of sines and cosines.
 
 mod ellipsoid;
 mod jacks;

@@ -1,6 +1,7 @@
 //! Random numbers that every platform agrees on.
 
-/// SplitMix64 (Steele, Lea and Flood 2014; constants of Vigna's reference code). The papers name no generator and no seed.
+/// SplitMix64 (Steele, Lea and Flood 2014; constants of Vigna's reference code). The papers name no generator
+/// and no seed.
 #[derive(Clone, Debug)]
 pub struct SplitMix64(u64);
 
@@ -53,7 +54,8 @@ impl SplitMix64 {
         }
     }
 
-    /// Puts a list into a random order (Fisher and Yates; the bias of the remainder is below 2⁻⁴⁰ for lists that fit a scene).
+    /// Puts a list into a random order (Fisher and Yates; the bias of the remainder is below 2⁻⁴⁰ for lists
+    /// that fit a scene).
     pub fn shuffle<T>(&mut self, list: &mut [T]) {
         for last in (1..list.len()).rev() {
             let other = (self.bits() % (last as u64 + 1)) as usize;

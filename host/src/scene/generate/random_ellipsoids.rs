@@ -1,5 +1,5 @@
-//! The random ellipsoids of Adelson and Hodges: 20, 100, 125 or 1000 "of random size, positioning, and color", 40 % of them spheres,
-//! in some scenes 10 % reflective and 10 % refractive.
+//! The random ellipsoids of Adelson and Hodges: 20, 100, 125 or 1000 "of random size, positioning, and
+//! color", 40 % of them spheres, in some scenes 10 % reflective and 10 % refractive.
 
 use serde::Deserialize;
 
@@ -8,8 +8,8 @@ use crate::scene::file::value::{Point, Range, Weight};
 use crate::scene::material;
 use parallax_shared::layout::Material;
 
-/// Ellipsoids of random place, size, orientation and colour with Phong highlights. The paper gives neither sizes nor places nor a
-/// seed: those here are ours.
+/// Ellipsoids of random place, size, orientation and colour with Phong highlights. The paper gives neither
+/// sizes nor places nor a seed: those here are ours.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RandomEllipsoids {
@@ -47,7 +47,8 @@ impl Default for RandomEllipsoids {
 }
 
 impl RandomEllipsoids {
-    /// Exactly the nearest number to `fraction` of all, at random places in the order; places marked before stay so.
+    /// Exactly the nearest number to `fraction` of all, at random places in the order; places marked before
+    /// stay so.
     fn mark<T: Copy + PartialEq>(&self, kinds: &mut [T], free: T, kind: T, fraction: f32) {
         let count = (f64::from(fraction) * kinds.len() as f64).round() as usize;
         kinds.iter_mut().filter(|k| **k == free).take(count).for_each(|k| *k = kind);

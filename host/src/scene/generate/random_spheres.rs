@@ -1,4 +1,5 @@
-//! The Fixed and Animated Spheres of Es (table 4): 1000 randomly distributed spheres, at rest or rotating about the y axis.
+//! The Fixed and Animated Spheres of Es (table 4): 1000 randomly distributed spheres, at rest or rotating
+//! about the y axis.
 
 use serde::Deserialize;
 
@@ -7,8 +8,9 @@ use crate::scene::file::value::{Angle, Point, Range};
 use crate::scene::material;
 use crate::scene::model::{rotation, times};
 
-/// Spheres of random place, size and colour, each matt in its own material. The thesis gives neither sizes nor places nor a seed:
-/// those here are ours. `turn` rotates all centres about the y axis: a frame of the animated scene.
+/// Spheres of random place, size and colour, each matt in its own material. The thesis gives neither sizes
+/// nor places nor a seed: those here are ours. `turn` rotates all centres about the y axis: a frame of the
+/// animated scene.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct RandomSpheres {

@@ -145,7 +145,8 @@ fn icosahedron() -> (Vec<[f64; 3]>, Vec<[u32; 3]>) {
     (points, faces)
 }
 
-/// Each face as four, new points at the middles of edges and on the unit sphere; an edge's point is made once.
+/// Each face as four, new points at the middles of edges and on the unit sphere; an edge's point is made
+/// once.
 fn split(points: &mut Vec<[f64; 3]>, faces: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut middles = HashMap::new();
     let mut middle = |a: u32, b: u32| {
@@ -169,7 +170,8 @@ mod tests {
     use super::*;
     use parallax_shared::layout::Triangle;
 
-    /// Six times the volume, and whether every edge is shared by exactly two faces that run along it in opposite directions.
+    /// Six times the volume, and whether every edge is shared by exactly two faces that run along it in
+    /// opposite directions.
     fn volume(triangles: &[Triangle]) -> (f64, bool) {
         let mut edges: HashMap<_, i32> = HashMap::new();
         let mut six = 0.0;

@@ -5,8 +5,8 @@ use serde::Deserialize;
 use super::{Generate, Shapes, powers, spd};
 use crate::scene::model::times;
 
-/// Every sphere but the smallest carries nine of a third of its radius. The root has radius 0.5 and its axis along +z; the floor is a square
-/// at z = -0.5.
+/// Every sphere but the smallest carries nine of a third of its radius. The root has radius 0.5 and its axis
+/// along +z; the floor is a square at z = -0.5.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Sphereflake {

@@ -7,7 +7,8 @@ use super::{Generate, Shapes, powers, spd};
 use crate::scene::file::value::Segments;
 use crate::scene::model::{rotation, times};
 
-/// A branch is a cone with a sphere at its tip and bears two smaller branches; the field is a square at z = 0. Grows along +z.
+/// A branch is a cone with a sphere at its tip and bears two smaller branches; the field is a square at z =
+/// 0. Grows along +z.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Tree {

@@ -1,4 +1,5 @@
-//! Triangles with the normals that shading needs: the file's own, or those of a surface that is round up to a crease angle.
+//! Triangles with the normals that shading needs: the file's own, or those of a surface that is round up to a
+//! crease angle.
 
 use std::collections::HashMap;
 
@@ -9,14 +10,16 @@ use super::{Corner, Polygons};
 use crate::scene::warning::Tally;
 use crate::scene::{Problem, Triangle};
 
-/// Around a vertex of more faces than this, creases are not looked for: it would take time quadratic in their number.
+/// Around a vertex of more faces than this, creases are not looked for: it would take time quadratic in their
+/// number.
 const MAX_FACES: usize = 64;
 
 /// The facets as triangles with materials `materials[facet.material]`, or the last one.
 ///
-/// A corner without a normal gets the sum of the normals, each as long as its face is large, of the faces around its vertex
-/// whose angle to its own face is at most `crease_deg`; vertices at one place are one vertex. Faces that turn out flat, and all with a
-/// crease angle of zero, are marked so. Zero areas are counted.
+/// A corner without a normal gets the sum of the normals, each as long as its face is large, of the faces
+/// around its vertex whose angle to its own face is at most `crease_deg`; vertices at one place are one
+/// vertex. Faces that turn out flat, and all with a crease angle of zero, are marked so. Zero areas are
+/// counted.
 pub(super) fn finish(
     polygons: &Polygons,
     facets: &[Facet],

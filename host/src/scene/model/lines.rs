@@ -1,4 +1,5 @@
-//! Lines and words of text that may come from anywhere: line ends of Unix, Windows and old Macs, any bytes between.
+//! Lines and words of text that may come from anywhere: line ends of Unix, Windows and old Macs, any bytes
+//! between.
 
 /// The lines of a text, each without its end (`\n`, `\r\n` or `\r`); a last line needs none.
 pub(super) struct Lines<'a> {

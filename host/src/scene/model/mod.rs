@@ -1,8 +1,9 @@
 //! Model files: OBJ with MTL, PLY (ASCII and both binary orders).
 //!
-//! A file is read whole into [`Polygons`], whatever its format; from there on there is one path: faces are checked and cut into
-//! triangles, placed in the world, and given the normals that the file lacks. Nothing is allocated by a count that a file
-//! states before the file has proved long enough to hold as much, and each step is linear in the size of the file or has a budget.
+//! A file is read whole into [`Polygons`], whatever its format; from there on there is one path: faces are
+//! checked and cut into triangles, placed in the world, and given the normals that the file lacks. Nothing is
+//! allocated by a count that a file states before the file has proved long enough to hold as much, and each
+//! step is linear in the size of the file or has a budget.
 
 mod crease;
 mod lines;
@@ -47,8 +48,8 @@ pub(crate) fn read(path: &Path) -> Result<Model, SceneError> {
 }
 
 impl Model {
-    /// The model's triangles in the world, those of file material `i` with the scene's material `materials[i]` (the last one
-    /// for what has none), and what was wrong with the file.
+    /// The model's triangles in the world, those of file material `i` with the scene's material
+    /// `materials[i]` (the last one for what has none), and what was wrong with the file.
     pub(crate) fn triangles(
         mut self,
         placement: &Placement,

@@ -1,9 +1,10 @@
 //! Material libraries (MTL) of OBJ files, and what they become in Whitted's model.
 //!
-//! `Kd` is the colour, linear, with the ambient and diffuse weights 1 (many libraries have a zero `Ka` under their own ambient
-//! light); the largest component of `Ks` is the specular weight, `Ns` the exponent. `illum` 3, 5 and 8 reflect as much as they
-//! shine; `d` below 1 lets the rest through, bent by `Ni` where `illum` is 4, 6, 7 or 9. `map_Kd` is the texture. A value that cannot
-//! be used leaves the default: these files are too loose to refuse a model for.
+//! `Kd` is the colour, linear, with the ambient and diffuse weights 1 (many libraries have a zero `Ka` under
+//! their own ambient light); the largest component of `Ks` is the specular weight, `Ns` the exponent. `illum`
+//! 3, 5 and 8 reflect as much as they shine; `d` below 1 lets the rest through, bent by `Ni` where `illum` is
+//! 4, 6, 7 or 9. `map_Kd` is the texture. A value that cannot be used leaves the default: these files are too
+//! loose to refuse a model for.
 
 use std::path::{Path, PathBuf};
 

@@ -1,9 +1,11 @@
-//! Wavefront OBJ, written here because no kept-up crate can be made safe from outside (`tobj` 4.0.5 panics on a colour of fewer
-//! than three numbers, knows no line continuation nor concave polygons, reads UTF-8 only and gives no line numbers).
+//! Wavefront OBJ, written here because no kept-up crate can be made safe from outside (`tobj` 4.0.5 panics on
+//! a colour of fewer than three numbers, knows no line continuation nor concave polygons, reads UTF-8 only
+//! and gives no line numbers).
 //!
-//! Understood: `v` (x y z; weights and vertex colours are passed over), `vt` (u v), `vn`, `f` (any number of corners, each `v`,
-//! `v/vt`, `v//vn` or `v/vt/vn`, counted from 1 or back from the last one so far), `usemtl`, `mtllib`, `\` at the end of a line.
-//! Everything else (groups, smoothing groups, lines, points, curves) is passed over. A face may name vertices that follow it.
+//! Understood: `v` (x y z; weights and vertex colours are passed over), `vt` (u v), `vn`, `f` (any number of
+//! corners, each `v`, `v/vt`, `v//vn` or `v/vt/vn`, counted from 1 or back from the last one so far),
+//! `usemtl`, `mtllib`, `\` at the end of a line. Everything else (groups, smoothing groups, lines, points,
+//! curves) is passed over. A face may name vertices that follow it.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -160,7 +162,10 @@ impl Reader<'_> {
         let mut index = |count: usize| match parts.next() {
             None | Some(b"") => Ok(NONE),
             Some(part) => index(part, count).ok_or_else(|| {
-                self.wrong(format!("expected a corner like 1, 1/2, 1//3 or 1/2/3, found `{}`", shown(word)))
+                self.wrong(format!(
+                    "expected a corner (v, v/vt or v/vt/vn, from 1 or below 0), found `{}`",
+                    shown(word)
+                ))
             }),
         };
         let position = index(self.polygons.positions.len())?;
@@ -215,8 +220,8 @@ pub(super) fn rest_of(text: &[u8]) -> String {
     text.trim().split_once(char::is_whitespace).map_or(String::new(), |(_, rest)| rest.trim().to_string())
 }
 
-/// An index of OBJ, from 1 or back from the end, as one from 0; [`MISSING`] when there is no such element; `None` when it
-/// is not a whole number.
+/// An index of OBJ, from 1 or back from the end, as one from 0; [`MISSING`] when there is no such element;
+/// `None` when it is not a whole number.
 fn index(text: &[u8], count: usize) -> Option<u32> {
     let digits = text.strip_prefix(b"-").or(text.strip_prefix(b"+")).unwrap_or(text);
     if digits.is_empty() || !digits.iter().all(u8::is_ascii_digit) {
@@ -270,6 +275,6 @@ mod tests {
         let error = read(Path::new("a.obj"), b"v 0 0 0\nv 1 x 0\n").err().unwrap().to_string();
         assert_eq!(error, "a.obj:2: expected 3 numbers, found `v 1 x 0`");
         let error = read(Path::new("a.obj"), b"\n\nf 1/a 2 3").err().unwrap().to_string();
-        assert_eq!(error, "a.obj:3: expected a corner like 1, 1/2, 1//3 or 1/2/3, found `1/a`");
+        assert_eq!(error, "a.obj:3: expected a corner (v, v/vt or v/vt/vn, from 1 or below 0), found `1/a`");
     }
 }

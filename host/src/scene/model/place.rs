@@ -8,7 +8,8 @@ use super::polygon::Facet;
 pub(crate) struct Placement {
     /// Degrees about x, then y, then z, each counter-clockwise seen from the axis' tip.
     pub(crate) rotate: [f32; 3],
-    /// Length that the longest side of its box is given; the box then stands centred on the origin of the plane y = 0.
+    /// Length that the longest side of its box is given; the box then stands centred on the origin of the
+    /// plane y = 0.
     pub(crate) fit: Option<f32>,
     /// Factor, 1 when not said.
     pub(crate) scale: Option<f32>,

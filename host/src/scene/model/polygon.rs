@@ -5,15 +5,15 @@ use parallax_shared::layout::NONE;
 use crate::scene::Problem;
 use crate::scene::warning::Tally;
 
-/// The largest absolute coordinate of a usable vertex. The products of exact hits overflow beyond (the host scales a scene by its
-/// largest coordinate, and what is smaller than 10⁻³⁰ of that is lost).
+/// The largest absolute coordinate of a usable vertex. The products of exact hits overflow beyond (the host
+/// scales a scene by its largest coordinate, and what is smaller than 10⁻³⁰ of that is lost).
 const MAX_COORDINATE: f32 = 1e15;
 
 /// Point-in-triangle tests that cutting one file's concave polygons may take; the rest is cut into fans.
 const EAR_BUDGET: u64 = 20_000_000;
 
-/// One corner of a face: indices into the arrays of [`Polygons`], not yet checked. [`NONE`] is an attribute that the face
-/// does not name.
+/// One corner of a face: indices into the arrays of [`Polygons`], not yet checked. [`NONE`] is an attribute
+/// that the face does not name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Corner {
     pub(crate) position: u32,
@@ -111,8 +111,9 @@ impl Polygons {
     }
 }
 
-/// Cuts a polygon into triangles of its corners, wound alike. `false` when no ear is left (it crosses itself) or the budget is spent:
-/// then what is left of it was cut into a fan. Convex polygons, triangles among them, are always cut into the fan around their first corner.
+/// Cuts a polygon into triangles of its corners, wound alike. `false` when no ear is left (it crosses itself)
+/// or the budget is spent: then what is left of it was cut into a fan. Convex polygons, triangles among them,
+/// are always cut into the fan around their first corner.
 fn cut(
     corners: &[Corner],
     positions: &[[f32; 3]],

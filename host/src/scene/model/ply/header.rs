@@ -35,8 +35,8 @@ pub(super) fn header(bytes: &[u8]) -> Result<(Header, &[u8], usize), Wrong> {
     Ok((header, body, text.lines().count()))
 }
 
-/// Where the body begins, after the line `end_header` that ends at `end`. In a file whose lines end with `\r` alone, a line feed
-/// there is the body's first byte.
+/// Where the body begins, after the line `end_header` that ends at `end`. In a file whose lines end with `\r`
+/// alone, a line feed there is the body's first byte.
 fn body_start(bytes: &[u8], end: usize) -> usize {
     let mac = Lines::new(bytes).next().is_some_and(|first| {
         let line_end = &bytes[first.len()..];
@@ -49,8 +49,10 @@ fn body_start(bytes: &[u8], end: usize) -> usize {
 fn header_message(text: &str, line: Option<usize>) -> String {
     let line = line.and_then(|l| text.lines().nth(l.saturating_sub(1))).unwrap_or("");
     format!(
-        "`{}` is no line of a PLY header (expected `format ascii|binary_little_endian|binary_big_endian 1.0`, \
-         `element NAME COUNT`, `property TYPE NAME`, `property list TYPE TYPE NAME`, `comment …`)",
+        concat!(
+            "`{}` is no line of a PLY header (expected `format ascii|binary_little_endian|binary_big_endian 1.0`, ",
+            "`element NAME COUNT`, `property TYPE NAME`, `property list TYPE TYPE NAME`, `comment …`)"
+        ),
         shown(line.as_bytes())
     )
 }

@@ -1,12 +1,13 @@
 //! PLY, ASCII and binary in both orders.
 //!
-//! The header is read by `ply-rs-bw`, behind checks of its own: it is cut out first, at most 64 KiB, its line ends and
-//! indents are put in order, and each element's count is held against the bytes that follow. The body is read here, straight into
-//! flat arrays: the crate's ASCII numbers know neither `nan`, `inf`, `.5` nor `1.`, and it makes an element of its own of each row.
+//! The header is read by `ply-rs-bw`, behind checks of its own: it is cut out first, at most 64 KiB, its line
+//! ends and indents are put in order, and each element's count is held against the bytes that follow. The
+//! body is read here, straight into flat arrays: the crate's ASCII numbers know neither `nan`, `inf`, `.5`
+//! nor `1.`, and it makes an element of its own of each row.
 //!
-//! Understood: `vertex` with x y z, nx ny nz and texture coordinates (s t, u v, texture_u texture_v or texture_s texture_t); `face`
-//! with the list vertex_indices or vertex_index and, for each corner, texcoord; `tristrips` with the list vertex_indices, -1 between
-//! strips. Everything else is passed over.
+//! Understood: `vertex` with x y z, nx ny nz and texture coordinates (s t, u v, texture_u texture_v or
+//! texture_s texture_t); `face` with the list vertex_indices or vertex_index and, for each corner, texcoord;
+//! `tristrips` with the list vertex_indices, -1 between strips. Everything else is passed over.
 
 mod body;
 mod header;
