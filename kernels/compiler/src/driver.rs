@@ -76,7 +76,7 @@ const PROFILE: [&str; 9] = [
 
 /// Builds the library of `crate_dir` with the feature `device` (and those of `options`) and returns its IR.
 ///
-/// Flags from the environment and from cargo's configuration are left out (`CARGO_ENCODED_RUSTFLAGS` is empty), so that a kernel
+/// Flags from the environment and from cargo's configuration are left out (`CARGO_ENCODED_RUSTFLAGS` overrides them), so that a kernel
 /// does not depend on who compiles it.
 ///
 /// # Errors
@@ -108,7 +108,6 @@ fn rustc_flags(crate_dir: &Path) -> Vec<String> {
     let convergent = CONVERGENT.map(|name| format!("-force-attribute=__k_{name}:convergent"));
     let llvm: Vec<&str> = LLVM.into_iter().chain(convergent.iter().map(String::as_str)).collect();
     vec![
-        "--cfg=kernel_ir".into(),
         "-Cdebuginfo=line-tables-only".into(), // so that a refusal can say where
         "-Cno-vectorize-slp".into(),
         "-Cno-vectorize-loops".into(),
@@ -130,7 +129,8 @@ fn key(crate_dir: &Path, flags: &[String], options: &FrontOptions) -> u64 {
 /// `cargo` of the pinned toolchain, to be run in the crate.
 fn cargo(crate_dir: &Path) -> Command {
     let mut cargo = Command::new("cargo");
-    cargo.current_dir(crate_dir).env("CARGO_ENCODED_RUSTFLAGS", "");
+    // For all crates, since functions that must be inlined into a kernel ask for it.
+    cargo.current_dir(crate_dir).env("CARGO_ENCODED_RUSTFLAGS", "--cfg=kernel_ir");
     if !runs_pinned_toolchain(crate_dir) {
         cargo.env("RUSTUP_TOOLCHAIN", TOOLCHAIN);
     }
