@@ -58,7 +58,8 @@ pub fn check(gpu: Gpu, structure: &Bvh, expected: &Answer) -> Result<StageReport
     let found = ask(&mut gpu, structure)?;
     println!("{}: cells by open sky: {:?}", gpu.describe(), found.histogram);
     ensure!(found.histogram == expected.histogram, "the counts differ");
-    let stage = Stage { view: "level", stage: "exposure", kind: Kind::Float, components: 1, bound: Bound::EXACT };
+    let stage =
+        Stage { view: "level", stage: "exposure", kind: Kind::Float, components: 1, bound: Bound::EXACT };
     Ok(compare(&stage, bytemuck::cast_slice(&expected.exposure), bytemuck::cast_slice(&found.exposure)))
 }
 
@@ -83,8 +84,8 @@ pub fn ask(backend: &mut impl Backend, structure: &Bvh) -> Result<Answer, Backen
 
 /// Device code of the engine's kernels. An engine would do this once, and ship what it gets.
 fn modules() -> Result<Modules> {
-    let kernels = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/embed-kernels");
-    let compiled = compile(&CrateSource::new(kernels), &Options::default()).context("compiling the kernels")?;
+    let source = CrateSource::new(embed_kernels::SOURCE);
+    let compiled = compile(&source, &Options::default()).context("compiling the kernels")?;
     let mut modules = Modules::default();
     for entry in compiled.entries {
         modules.insert(entry.name, Module { spirv: entry.spirv.into(), wgsl: None });

@@ -5,22 +5,31 @@ use parallax::backend::gpu::{Module, Modules, RawBinding, specialise};
 use parallax::backend::{Backend, BackendError, Cpu, Gpu, Profile};
 use parallax_test_kernels::{Number, Square};
 use parallax_tests::gpu::{Driver, open};
+use parallax_tests::kernels::modules;
+use std::sync::OnceLock;
 
-const SQUARE: &[u8] = include_bytes!("../kernels/spirv/strict/square.spv");
-const NUMBER: &[u8] = include_bytes!("../kernels/spirv/strict/number.spv");
-
-fn strict_modules() -> Modules {
-    let mut modules = Modules::embedded(Profile::Strict);
-    modules.insert("square", Module::from_bytes(SQUARE));
-    modules.insert("number", Module::from_bytes(NUMBER));
-    modules
+/// The test kernels, compiled once.
+fn compiled(profile: Profile) -> &'static Modules {
+    static MODULES: [OnceLock<Modules>; 2] = [const { OnceLock::new() }; 2];
+    MODULES[profile as usize].get_or_init(|| modules(parallax_test_kernels::SOURCE, profile))
 }
 
-fn wgsl_modules() -> Modules {
+/// The SPIR-V of a test kernel.
+fn words(entry: &str) -> Vec<u32> {
+    compiled(Profile::Strict).get(entry).expect("a kernel of this name").spirv.to_vec()
+}
+
+/// The WGSL of a test kernel.
+fn wgsl(entry: &str) -> String {
+    let module = compiled(Profile::Fast).get(entry).expect("a kernel of this name");
+    module.wgsl.as_deref().expect("WGSL was asked for").to_string()
+}
+
+fn wgsl_alone() -> Modules {
     let mut modules = Modules::default();
-    let wgsl = |text: &'static str| Module { wgsl: Some(text.into()), ..Module::default() };
-    modules.insert("square", wgsl(include_str!("../kernels/spirv/fast/square.wgsl")));
-    modules.insert("number", wgsl(include_str!("../kernels/spirv/fast/number.wgsl")));
+    for name in compiled(Profile::Fast).names() {
+        modules.insert(name, Module { wgsl: Some(wgsl(name).into()), ..Module::default() });
+    }
     modules
 }
 
@@ -28,15 +37,15 @@ fn wgsl_modules() -> Modules {
 fn each(test: impl Fn(Gpu)) {
     for driver in Driver::SOFTWARE {
         let Some(gpu) = open(driver, Profile::Strict) else { continue };
-        test(gpu.with_modules(strict_modules()));
+        test(gpu.with_modules(compiled(Profile::Strict).clone()));
         let Some(gpu) = open(driver, Profile::Fast) else { continue };
-        test(gpu.with_modules(wgsl_modules()));
+        test(gpu.with_modules(wgsl_alone()));
     }
 }
 
 /// A driver in the strict profile.
 fn strict() -> Option<Gpu> {
-    Some(open(Driver::Lavapipe, Profile::Strict)?.with_modules(strict_modules()))
+    Some(open(Driver::Lavapipe, Profile::Strict)?.with_modules(compiled(Profile::Strict).clone()))
 }
 
 fn error_text<T>(result: Result<T, BackendError>) -> String {
@@ -124,11 +133,11 @@ fn a_run_of_nothing_does_nothing() {
 #[test]
 fn another_module_is_run_in_its_place() {
     let Some(gpu) = strict() else { return };
-    let mut words = Module::from_bytes(NUMBER).spirv.into_owned();
+    let mut words = words("number");
     // The multiplication by 16 is a shift by the constant 4.
     let constant = words.windows(4).position(|w| w[0] == 4 << 16 | 43 && w[3] == 4).expect("the constant 4");
     words[constant + 3] = 5;
-    let mut modules = strict_modules();
+    let mut modules = compiled(Profile::Strict).clone();
     modules.insert("number", Module { spirv: words.into(), wgsl: None });
     let expected = numbers_of(&mut Cpu::new(1).unwrap(), 1).unwrap();
     assert_ne!(numbers_of(&mut gpu.with_modules(modules), 1).unwrap(), expected);
@@ -157,28 +166,25 @@ fn a_missing_or_wrong_module_is_told() {
     let text = error_text(numbers_of(&mut gpu, 1));
     assert!(text.starts_with("there is no strict module of `number`: compile its crate"), "{text}");
 
-    let with = |gpu: Gpu, bytes: &[u8]| {
+    let with = |gpu: Gpu, words: &[u32]| {
         let mut modules = Modules::default();
-        modules.insert("number", Module::from_bytes(bytes));
+        modules.insert("number", Module { spirv: words.to_vec().into(), wgsl: None });
         gpu.with_modules(modules)
     };
-    gpu = with(gpu, SQUARE);
+    gpu = with(gpu, &words("square"));
     let text = error_text(numbers_of(&mut gpu, 1));
     assert_eq!(
         text,
         "the module of `number` does not fit its declaration (it has no such entry point): compile the kernels again"
     );
-    gpu = with(gpu, &SQUARE[..40]);
+    gpu = with(gpu, &words("square")[..10]);
     let text = error_text(numbers_of(&mut gpu, 1));
     assert!(
         text.starts_with("the module of `number` cannot be read: the SPIR-V module is damaged"),
         "{text}"
     );
-    let mut resized = NUMBER.to_vec();
-    let at = resized
-        .windows(12)
-        .position(|w| w == [4, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0])
-        .expect("its workgroup size");
+    let mut resized = words("number");
+    let at = resized.windows(3).position(|size| size == [4, 2, 2]).expect("its workgroup size");
     resized[at] = 2;
     gpu = with(gpu, &resized);
     let text = error_text(numbers_of(&mut gpu, 1));
@@ -230,13 +236,12 @@ fn any_module_runs_over_plain_words() {
         let (mut bindings, push) = (Vec::new(), 7u32.to_le_bytes());
 
         number(&mut bindings);
-        let words = specialise(&Module::from_bytes(NUMBER).spirv, &[(1, 3)]).unwrap();
+        let words = specialise(&words("number"), &[(1, 3)]).unwrap();
         gpu.run_module(&words, "number", [4, 2, 2], [1, 1, 1], &mut bindings, &push).unwrap();
         assert_eq!((&bindings[1].words, &bindings[2].words), (&expected, &vec![1 + 3 * 16]));
 
         number(&mut bindings);
-        let text = include_str!("../kernels/spirv/fast/number.wgsl");
-        gpu.run_wgsl(text, "number", &[(1, 3)], [1, 1, 1], &mut bindings, &push).unwrap();
+        gpu.run_wgsl(&wgsl("number"), "number", &[(1, 3)], [1, 1, 1], &mut bindings, &push).unwrap();
         assert_eq!((&bindings[1].words, &bindings[2].words), (&expected, &vec![1 + 3 * 16]));
 
         let text = error_text(gpu.run_wgsl("fn f( {", "number", &[], [1, 1, 1], &mut bindings, &push));

@@ -5,6 +5,9 @@ use core::sync::atomic::{AtomicU32, Ordering};
 use glam::UVec3;
 use kernel_api::{At, Out, spirv};
 
+/// The folder of this crate, from which tests compile it for a GPU.
+pub const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
+
 /// Squares numbers: something read, something written.
 #[spirv(compute(threads(64)))]
 pub fn square(

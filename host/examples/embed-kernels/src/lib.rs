@@ -9,6 +9,9 @@ use parallax_shared::layout::{Ray, Row};
 use parallax_shared::math::div;
 use parallax_shared::traversal::occluded;
 
+/// The folder of this crate, from which the example compiles it for a GPU.
+pub const SOURCE: &str = env!("CARGO_MANIFEST_DIR");
+
 /// A square of cells on the plane y = 0.
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 #[repr(C, align(16))]
