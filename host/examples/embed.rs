@@ -16,8 +16,8 @@ use parallax::compare::{Bound, Kind, Stage, StageReport, compare};
 use parallax_shared::layout::Triangle;
 
 /// Cells of the ground along x and along z.
-const CELLS: u32 = 96;
-const CELL_METRES: f32 = 0.5;
+const CELLS: u32 = 64;
+const CELL_METRES: f32 = 0.75;
 const HISTOGRAM_STEPS: usize = 9;
 /// Directions in which the sky is looked at.
 const DIRECTIONS: u32 = 64;
