@@ -43,6 +43,11 @@ impl Lowering<'_> {
                 "a pointer is stored to memory: a reference in an array or a struct".into(),
             ));
         }
+        if self.source.type_of(value) == Type::I64 {
+            let (low, high) = (self.low_word(value), self.high_word(value));
+            self.store(root, &offset, align, &low)?;
+            return self.store(root, &offset.plus(4), part_align(align, 4), &high);
+        }
         let value = self.build.resolve(value);
         self.store(root, &offset, align, &value)
     }

@@ -47,7 +47,7 @@ impl Lowering<'_> {
             return Translation::Value(Value::bool(known));
         }
         if !self.bounds.is_usize(a) || !self.bounds.is_usize(b) {
-            return self.fold(&Op::IntCompare(predicate, a.clone(), b.clone()), &Type::BOOL);
+            return Translation::Value(self.compare_halves(predicate, a, b));
         }
         // What is proven to fit is not negative, whatever its highest bit is.
         let proven = self.bounds.fits_word(a) && self.bounds.fits_word(b);

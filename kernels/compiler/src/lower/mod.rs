@@ -5,7 +5,7 @@
 //! operation that every target has, and each integer of more than 32 bits gets a companion that is its low word. What nobody uses
 //! afterwards is removed by the [clean-up](crate::cleanup).
 //!
-//! * `bounds`: which 64-bit values are `usize`; `narrow`: their low words.
+//! * `bounds`: which 64-bit values are `usize`; `narrow`, `halves`: their low and high words.
 //! * `origins`, `places`, `joins`, `linear`: pointers.
 //! * `access`, `copies`, `atomics`: loads, stores and what is made of them.
 //! * `roots`, `tables`: the memory; `calls`, `intrinsics`: what is called.
@@ -16,6 +16,7 @@ mod bounds;
 mod calls;
 mod compare;
 mod copies;
+mod halves;
 mod intrinsics;
 mod joins;
 mod linear;
@@ -97,6 +98,8 @@ struct Lowering<'a> {
     places: HashMap<Id, Result<Place>>,
     /// The low words of integers of more than 32 bits.
     low: HashMap<Id, Value>,
+    /// The high words of 64-bit integers.
+    high: HashMap<Id, Value>,
 }
 
 impl<'a> Lowering<'a> {
@@ -115,6 +118,7 @@ impl<'a> Lowering<'a> {
             tables: HashMap::new(),
             places: HashMap::new(),
             low: HashMap::new(),
+            high: HashMap::new(),
         }
     }
 
@@ -152,7 +156,12 @@ impl<'a> Lowering<'a> {
             let Op::Phi(edges) = &self.source[id].op else { continue };
             match &self.source[id].ty {
                 Type::Pointer => self.close_pointer_phi(id, edges)?,
-                Type::Int(33..) => self.close_low_phi(id, edges),
+                Type::Int(bits @ 33..) => {
+                    self.close_low_phi(id, edges);
+                    if *bits == 64 {
+                        self.close_high_phi(id, edges);
+                    }
+                }
                 _ => {}
             }
         }
@@ -181,7 +190,10 @@ impl<'a> Lowering<'a> {
             Translation::Nothing => {}
         }
         if matches!(instruction.ty, Type::Int(33..)) {
-            self.make_low(id)
+            self.make_low(id);
+        }
+        if instruction.ty == Type::I64 {
+            self.make_high(id);
         }
         Ok(())
     }

@@ -68,7 +68,8 @@ impl Lowering<'_> {
             _ => false,
         };
         if !narrow {
-            return None;
+            let amount = b.as_u32().filter(|amount| *amount < 64 && self.source[id].ty == Type::I64)?;
+            return matches!(op, LShr | AShr).then(|| self.low_of_right_shift(op, a, amount));
         }
         let (x, y) = (self.low_word(a), self.low_word(b));
         let low = self.build.binary(op, &x, &y);

@@ -55,19 +55,78 @@ fn a_wrapping_product_keeps_its_bits() {
     assert_eq!(output(&k, &[0x2000_0001, 1, 77]).0[0], 77);
 }
 
-/// A hash of 64 bits that is masked to an index is no `usize`: its comparison needs all bits.
+/// A hash of 64 bits that is masked to an index is no `usize`: its comparison needs both halves.
 #[test]
-fn a_masked_hash_stays_wide() {
-    let front = compile(
+fn a_masked_hash_is_compared_whole() {
+    let k = kernel(
         "  %w = zext i32 %x to i64
-  %h = mul i64 %w, 11400714819323198485
+  %h = mul i64 %w, -7046029254386353131
   %i = and i64 %h, 3
   %p = getelementptr inbounds nuw i32, ptr %in, i64 %i
   %v = load i32, ptr %p, align 4
-  %big = icmp ugt i64 %h, 1099511627776
+  %big = icmp ugt i64 %h, 9223372036854775808
   %b = zext i1 %big to i32
   %r = add i32 %v, %b
   store i32 %r, ptr %out, align 4
+  ret void",
+    );
+    assert_eq!(k.wide_values(), []);
+    for x in [1, 2, 3, 77, u32::MAX] {
+        let hash = u64::from(x).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        let input = [x, 10, 20, 30];
+        let expected = input[hash as usize & 3].wrapping_add(u32::from(hash > 1 << 63));
+        assert_eq!(output(&k, &input).0[0], expected);
+    }
+}
+
+/// An operation on the `i64`s `%a` and `%b`, and what Rust makes of them.
+type Case = (&'static str, fn(u64, u64) -> u64);
+
+/// All that two words can do, against `u64` and `i64`.
+#[test]
+fn halves_do_what_wide_integers_do() {
+    let cases: [Case; 9] = [
+        ("%r = add i64 %a, %b", u64::wrapping_add),
+        ("%r = sub i64 %a, %b", u64::wrapping_sub),
+        ("%r = mul i64 %a, %b", u64::wrapping_mul),
+        ("%r = shl i64 %a, 7", |a, _| a << 7),
+        ("%r = shl i64 %a, 45", |a, _| a << 45),
+        ("%r = lshr i64 %a, 7", |a, _| a >> 7),
+        ("%r = lshr i64 %a, 45", |a, _| a >> 45),
+        ("%r = ashr i64 %a, 33", |a, _| (a as i64 >> 33) as u64),
+        ("%c = icmp slt i64 %a, %b\n  %r = select i1 %c, i64 %a, i64 %b", |a, b| {
+            (a as i64).min(b as i64) as u64
+        }),
+    ];
+    let values = [0, 1, 0xffff_ffff, 0x1_0000_0000, 0x8000_0000_0000_0000, 0x1234_5678_9abc_def0, u64::MAX];
+    for (op, expected) in cases {
+        let k = kernel(&format!(
+            "  %a = load i64, ptr %in, align 4
+  %q = getelementptr inbounds nuw i8, ptr %in, i64 8
+  %b = load i64, ptr %q, align 4
+  {op}
+  store i64 %r, ptr %out, align 4
+  ret void"
+        ));
+        assert_eq!(k.wide_values(), [], "{op}");
+        for (a, b) in values.iter().flat_map(|a| values.iter().map(move |b| (*a, *b))) {
+            let words = [a as u32, (a >> 32) as u32, b as u32, (b >> 32) as u32];
+            let out = output(&k, &words).0;
+            assert_eq!(
+                u64::from(out[0]) | u64::from(out[1]) << 32,
+                expected(a, b),
+                "{op} of {a:#x} and {b:#x}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_wide_division_is_refused() {
+    let front = compile(
+        "  %a = load i64, ptr %in, align 4
+  %r = udiv i64 %a, 10000000000
+  store i64 %r, ptr %out, align 4
   ret void",
     );
     assert!(matches!(&front.refusals[..], [refusal] if matches!(refusal.reason, Reason::Wide(_))));
