@@ -3,7 +3,7 @@
 use super::{BlockId, Id, Instruction, Locations, Op, Type, Value};
 use std::collections::{BTreeMap, HashSet};
 use std::ops::{Index, IndexMut};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// How a block ends.
 #[derive(Clone, PartialEq, Debug)]
@@ -148,7 +148,7 @@ pub struct Global {
 #[derive(Clone, Debug, Default)]
 pub struct Module {
     /// Globals by name.
-    pub globals: BTreeMap<Rc<str>, Global>,
+    pub globals: BTreeMap<Arc<str>, Global>,
     /// The kernels' entry functions, in the order of the text.
     pub functions: Vec<Function>,
     /// The names of all functions that have a body.

@@ -4,7 +4,7 @@ use super::{
     AtomicOp, BinaryOp, BlockId, Builtin, CastOp, FloatPredicate, IntPredicate, MathOp, RootId, SubgroupOp,
     Type, Value,
 };
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// An instruction: what is done, and the type of the value that comes of it ([`Type::Void`] if none does).
 #[derive(Clone, PartialEq, Debug)]
@@ -16,7 +16,7 @@ pub struct Instruction {
     /// LLVM has proven that nothing is lost: `nuw` (no unsigned overflow), `disjoint` (an `or` that is a sum).
     pub exact: bool,
     /// The name in the IR, for messages.
-    pub name: Rc<str>,
+    pub name: Arc<str>,
     /// Where it comes from, for [`Locations`](super::Locations).
     pub location: Option<u32>,
 }
@@ -117,7 +117,7 @@ pub enum SourceOp {
     /// Memory of the invocation for a value of this type.
     Alloca(Type),
     /// A call of a named function.
-    Call(Rc<str>, Vec<Value>),
+    Call(Arc<str>, Vec<Value>),
     /// `(pointer, operand)`; yields the old value.
     Atomic(AtomicOp, Value, Value),
     /// `(pointer, expected, new)`; yields `{ old, whether it was as expected }`.

@@ -1,7 +1,7 @@
 //! A lowered kernel and the memory that it names.
 
 use super::{Function, Id, RootId, Type};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Where a root lives.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
@@ -27,7 +27,7 @@ pub enum Space {
     /// An array of the invocation's own.
     Local,
     /// A table of constants.
-    Constant(Rc<[u32]>),
+    Constant(Arc<[u32]>),
 }
 
 /// Memory that a kernel can access: an array of words.
@@ -69,7 +69,7 @@ impl Kernel {
     }
 
     /// The names of the values that are wider than 32 bits.
-    pub fn wide_values(&self) -> Vec<Rc<str>> {
+    pub fn wide_values(&self) -> Vec<Arc<str>> {
         let wide = self.function.placed().filter(|id| self.is_wide(*id));
         wide.map(|id| self.function[id].name.clone()).collect()
     }

@@ -1,7 +1,7 @@
 //! Where instructions come from in the source, for messages.
 
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// The debug information of a module, as far as it says which function and line an instruction was inlined from.
 #[derive(Clone, Debug, Default)]
@@ -30,12 +30,12 @@ pub enum Record {
     /// A function.
     Function {
         /// Its name as the user wrote it.
-        name: Rc<str>,
+        name: Arc<str>,
         /// Its file.
         file: u32,
     },
     /// A file, relative to the crate if it belongs to it.
-    File(Rc<str>),
+    File(Arc<str>),
 }
 
 /// A function and a line in it.

@@ -1,7 +1,7 @@
 //! Values and the numbers by which instructions, blocks and roots are named.
 
 use super::Type;
-use std::rc::Rc;
+use std::sync::Arc;
 
 macro_rules! number {
     ($(#[$doc:meta])* $name:ident) => {
@@ -52,11 +52,11 @@ pub enum Value {
     /// `zeroinitializer`, or the null pointer.
     Zero(Type),
     /// A constant struct, array or vector.
-    Aggregate(Type, Rc<[Value]>),
+    Aggregate(Type, Arc<[Value]>),
     /// A constant array of bytes.
-    Bytes(Rc<[u8]>),
+    Bytes(Arc<[u8]>),
     /// The address of a global, so many bytes into it.
-    Global(Rc<str>, i64),
+    Global(Arc<str>, i64),
 }
 
 impl Value {

@@ -6,7 +6,7 @@ use super::{Lowering, Result, Translation};
 use crate::demangle::demangle;
 use crate::ir::{Builtin, CastOp, Function, Id, Module, Op, SourceOp, SubgroupOp, Type, Value};
 use crate::refusal::{Reason, Refusal};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// Intrinsics that tell the optimiser something and compute nothing.
 const HINTS: [&str; 8] = [
@@ -79,7 +79,7 @@ fn is_allocation(name: &str) -> bool {
 
 impl Lowering<'_> {
     /// Translates the call `id`, which yields no pointer.
-    pub(super) fn call(&mut self, id: Id, name: &Rc<str>, arguments: &[Value]) -> Result<Translation> {
+    pub(super) fn call(&mut self, id: Id, name: &Arc<str>, arguments: &[Value]) -> Result<Translation> {
         if let Some(shim) = name.strip_prefix("__k_") {
             return self.shim(shim, arguments);
         }

@@ -36,7 +36,7 @@ use bounds::Bounds;
 use origins::Origins;
 use places::Place;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What lowering yields, or why not.
 type Result<T> = std::result::Result<T, Reason>;
@@ -93,7 +93,7 @@ struct Lowering<'a> {
     /// Roots by the instruction that makes a pointer to their begin.
     made: HashMap<Id, RootId>,
     /// Roots that are tables of constants, by global.
-    tables: HashMap<Rc<str>, RootId>,
+    tables: HashMap<Arc<str>, RootId>,
     /// What each pointer points to.
     places: HashMap<Id, Result<Place>>,
     /// The low words of integers of more than 32 bits.

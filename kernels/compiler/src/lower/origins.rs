@@ -3,7 +3,7 @@
 use super::linear::gcd;
 use crate::ir::{BinaryOp, CastOp, Function, Id, Op, SourceOp, Type, Value};
 use std::collections::{BTreeSet, HashMap};
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What a pointer starts from.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -11,7 +11,7 @@ pub enum Origin {
     /// A call of `__k_root`, or an `alloca`.
     Made(Id),
     /// A global.
-    Global(Rc<str>),
+    Global(Arc<str>),
 }
 
 /// The pointers of a function.

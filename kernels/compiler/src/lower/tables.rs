@@ -5,11 +5,11 @@ use super::{Lowering, Result};
 use crate::demangle::demangle;
 use crate::ir::{RootId, Space, Type, Value};
 use crate::refusal::Reason;
-use std::rc::Rc;
+use std::sync::Arc;
 
 impl Lowering<'_> {
     /// The root that holds a constant global.
-    pub(super) fn table(&mut self, name: &Rc<str>) -> Result<RootId> {
+    pub(super) fn table(&mut self, name: &Arc<str>) -> Result<RootId> {
         if let Some(root) = self.tables.get(name) {
             return Ok(*root);
         }
@@ -25,7 +25,7 @@ impl Lowering<'_> {
         let mut bytes = vec![0; global.ty.size().next_multiple_of(4) as usize];
         write(value, &global.ty, &mut bytes)
             .ok_or_else(|| Reason::Pointer(format!("the constant `{pretty}` holds more than numbers")))?;
-        let words: Rc<[u32]> =
+        let words: Arc<[u32]> =
             bytes.chunks_exact(4).map(|b| u32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
         let id = RootId::new(self.roots.len());
         let count = words.len() as u32;

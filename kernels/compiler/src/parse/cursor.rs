@@ -5,7 +5,7 @@ use super::lexer::Token;
 use crate::ir::{BlockId, Id, Type};
 use crate::refusal::Reason;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 
 /// What names stand for.
 #[derive(Default)]
@@ -105,7 +105,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Takes the name of a global.
-    pub fn global(&mut self) -> Option<Rc<str>> {
+    pub fn global(&mut self) -> Option<Arc<str>> {
         match self.peek() {
             Some(Token::Global(name)) => {
                 self.at += 1;
