@@ -2,6 +2,8 @@
 
 pub mod gpu;
 pub mod kernels;
+pub mod machines;
 pub mod models;
 pub mod oracle;
+pub mod random_kernels;
 pub mod stage;

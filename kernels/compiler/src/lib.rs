@@ -42,6 +42,8 @@ pub mod parse;
 pub mod profile;
 mod record;
 pub mod refusal;
+#[cfg(feature = "rust-gpu")]
+pub mod rust_gpu;
 pub mod sources;
 pub mod structure;
 #[cfg(test)]

@@ -47,6 +47,25 @@ struct Arguments {
     /// Let 64-bit integers through, which WGSL and some devices lack
     #[arg(long)]
     wide: bool,
+    /// Compile with another compiler, into DIR/rust-gpu
+    #[cfg(feature = "rust-gpu")]
+    #[arg(long, value_enum)]
+    with: Option<Other>,
+    /// rust-gpu's code generator, the library librustc_codegen_spirv
+    #[cfg(feature = "rust-gpu")]
+    #[arg(long, value_name = "FILE", required_if_eq("with", "rust-gpu"))]
+    codegen: Option<PathBuf>,
+    /// The toolchain that the code generator was built for
+    #[cfg(feature = "rust-gpu")]
+    #[arg(long, value_name = "NAME", default_value = kernel_compiler::rust_gpu::TOOLCHAIN)]
+    toolchain: String,
+}
+
+/// A compiler besides this one.
+#[cfg(feature = "rust-gpu")]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+enum Other {
+    RustGpu,
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -66,6 +85,10 @@ fn main() -> ExitCode {
     if arguments.wgsl && arguments.profile == Profiles::Strict {
         eprintln!("error: --wgsl needs the fast profile: WGSL cannot keep a driver from contracting");
         return ExitCode::from(USAGE);
+    }
+    #[cfg(feature = "rust-gpu")]
+    if let (Some(Other::RustGpu), Some(codegen)) = (arguments.with, &arguments.codegen) {
+        return arguments.build_with_rust_gpu(codegen);
     }
     match compile_reporting(&CrateSource::new(&arguments.source), &arguments.options(), &mut tell) {
         Ok(compiled) if arguments.check => arguments.check(&compiled),
@@ -116,6 +139,19 @@ impl Arguments {
                 written.removed.iter().for_each(|path| eprintln!("removed {}", path.display()));
                 let (changed, all) = (written.changed.len(), compiled.files().len());
                 eprintln!("{}: {changed} of {all} files are new or changed", self.out.display());
+                ExitCode::SUCCESS
+            }
+            Err(error) => failed(&error),
+        }
+    }
+
+    #[cfg(feature = "rust-gpu")]
+    fn build_with_rust_gpu(&self, codegen: &std::path::Path) -> ExitCode {
+        let rust_gpu =
+            kernel_compiler::rust_gpu::RustGpu { codegen: codegen.into(), toolchain: self.toolchain.clone() };
+        match rust_gpu.build(&CrateSource::new(&self.source), &self.features, &self.out) {
+            Ok(names) => {
+                names.iter().for_each(|name| eprintln!("  rust-gpu/{name}"));
                 ExitCode::SUCCESS
             }
             Err(error) => failed(&error),

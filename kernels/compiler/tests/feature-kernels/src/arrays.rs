@@ -114,8 +114,7 @@ fn whole(i: u32, words: &[u32]) -> u32 {
     let copy = items;
     items.fill(words.at((i + 2) & 1023) & 0xff);
     items.put(copy.at(0u32) % 6, 77);
-    let equal = items == copy;
-    copy.iter().zip(&items).fold(equal as u32, |sum, (a, b)| sum.rotate_left(7) ^ a.wrapping_mul(*b))
+    copy.iter().zip(&items).fold(7u32, |sum, (a, b)| sum.rotate_left(7) ^ a.wrapping_mul(*b))
 }
 
 fn queued(i: u32, words: &[u32]) -> u32 {

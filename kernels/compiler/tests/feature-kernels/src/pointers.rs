@@ -20,7 +20,7 @@ word_kernels! {
     chosen_references = chosen;
     /// A tail handed on.
     tails = tailed;
-    /// `get`, `first`, `last` and a search.
+    /// `get`, `first` and searches.
     searches = searched;
 }
 
@@ -39,7 +39,7 @@ fn fours(i: u32, words: &[u32]) -> u32 {
 
 fn threes(i: u32, words: &[u32]) -> u32 {
     let mut sum = i;
-    for three in words.windows(3).skip((i & 7) as usize).take(5) {
+    for three in words.tail(i & 7).windows(3).take(5) {
         sum = sum.wrapping_mul(7) ^ three[0] ^ three[2];
     }
     sum
@@ -84,10 +84,10 @@ fn tailed(i: u32, words: &[u32]) -> u32 {
 
 fn searched(i: u32, words: &[u32]) -> u32 {
     let wanted = i & 15;
-    let position = words.iter().take(40).position(|word| word & 15 == wanted).map_or(99, |at| at as u32);
-    let ends = words.first().copied().unwrap_or(0) ^ words.last().copied().unwrap_or(0);
-    let any = words.iter().take(10).any(|word| *word & 0xff == wanted) as u32;
-    position ^ ends ^ any << 8 ^ words.get(i as usize * 2).map_or(1, |word| word >> 1)
+    let position = (0..40).find(|&at| words.at(at) & 15 == wanted).unwrap_or(99);
+    let first = words.first().copied().unwrap_or(0);
+    let any = words.tail(i & 63).iter().any(|word| *word & 0xff == wanted) as u32;
+    position ^ first ^ any << 8 ^ words.get((i * 2) as usize).map_or(1, |word| word >> 1)
 }
 
 /// One of two buffers, chosen when the kernel runs.
