@@ -80,7 +80,7 @@ fn words(native: &mut Native) -> anyhow::Result<Vec<Case>> {
         };
     }
     Ok(run! {
-        control: Switches DenseSwitch StateMachine LabelledBlocks EarlyReturns ShortCircuits Enumerations Generics;
+        control: Switches DenseSwitch DenseSwitchAgain StateMachine LabelledBlocks EarlyReturns ShortCircuits Enumerations Generics;
         loops: NestedLoops LoopExits LoopValues StackLoop Ranges UnevenRounds CarriedValues FixedPoint;
         integers: Shifts Rotations Bits Saturating Checked Wide ConstantDivisors VariableDivisors Order Narrow Powers Sorting;
         floats: Comparisons Signs Selection WholeNumbers Conversions Sums Quotients Strict Classes;

@@ -4,7 +4,7 @@ use super::cursor::{Cursor, Locals, Names};
 use super::debug::locations;
 use super::function::function;
 use super::lexer::{Token, tokens};
-use crate::ir::{Global, Module, Type};
+use crate::ir::{Function, Global, Module, Type};
 use crate::refusal::Reason;
 use std::collections::HashMap;
 
@@ -18,7 +18,7 @@ pub struct Unread {
 }
 
 /// Something that is not known.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// What.
     pub reason: Reason,
@@ -38,9 +38,41 @@ pub struct Parsed {
 /// Reads `text`; of its functions those that are `wanted` by name.
 pub fn parse(text: &str, wanted: impl Fn(&str) -> bool) -> Parsed {
     let lines: Vec<&str> = text.lines().collect();
-    let names = Names { types: named_types(&lines) };
+    let aliases: Vec<(String, String)> = lines.iter().filter_map(|line| alias(line)).collect();
+    let is_needed =
+        |name: &str| wanted(name) || aliases.iter().any(|(alias, of)| of == name && wanted(alias));
+    let mut parsed = definitions(&lines, is_needed);
+    for (alias, of) in aliases.iter().filter(|(alias, _)| wanted(alias)) {
+        parsed.repeat(of, alias);
+    }
+    parsed.module.functions.retain(|function| wanted(&function.name));
+    parsed.unread.retain(|unread| wanted(&unread.name));
+    parsed
+}
+
+impl Parsed {
+    /// What is known of the function `of` holds of `alias` too.
+    fn repeat(&mut self, of: &str, alias: &str) {
+        let function = self.module.functions.iter().find(|function| function.name == of).cloned();
+        self.module.functions.extend(function.map(|function| Function { name: alias.into(), ..function }));
+        let problems =
+            self.unread.iter().find(|unread| unread.name == of).map(|unread| unread.problems.clone());
+        self.unread.extend(problems.map(|problems| Unread { name: alias.into(), problems }));
+        self.module.defined.insert(alias.into());
+    }
+}
+
+/// The alias of a line `@A = unnamed_addr alias void (), ptr @B`, and what it stands for: LLVM keeps one of several functions with
+/// the same code.
+fn alias(line: &str) -> Option<(String, String)> {
+    let (alias, of) = line.split_once(" = ").filter(|(_, rest)| rest.contains("alias void (), ptr @"))?;
+    Some((alias.strip_prefix('@')?.into(), of.rsplit_once('@')?.1.into()))
+}
+
+fn definitions(lines: &[&str], wanted: impl Fn(&str) -> bool) -> Parsed {
+    let names = Names { types: named_types(lines) };
     let mut parsed = Parsed::default();
-    parsed.module.locations = locations(&lines);
+    parsed.module.locations = locations(lines);
     let mut at = 0;
     while at < lines.len() {
         let line = lines[at];
@@ -161,6 +193,17 @@ define void @__kernel_b() {
         assert!(
             matches!(&module.globals["t"].initializer, Some(Value::Aggregate(_, parts)) if parts.len() == 2)
         );
+    }
+
+    #[test]
+    fn an_alias_is_a_function_of_its_own() {
+        let text = TEXT.to_string()
+            + "@__kernel_c = unnamed_addr alias void (), ptr @__kernel_a\n\
+               @__kernel_d = unnamed_addr alias void (), ptr @__kernel_b\n";
+        let parsed = parse(&text, |name| name == "__kernel_c" || name == "__kernel_d");
+        let names: Vec<_> = parsed.module.functions.iter().map(|function| &*function.name).collect();
+        assert_eq!(names, ["__kernel_c"]);
+        assert_eq!(parsed.unread.iter().map(|unread| &*unread.name).collect::<Vec<_>>(), ["__kernel_d"]);
     }
 
     #[test]

@@ -7,6 +7,8 @@ word_kernels! {
     switches = classified;
     /// A dense switch, which LLVM turns into a table.
     dense_switch = looked_up;
+    /// The same again: LLVM keeps one of two equal functions, and both must come out.
+    dense_switch_again = looked_up;
     /// A switch inside a loop that some arms leave: a state machine.
     state_machine = automaton;
     /// Blocks left from the middle.
