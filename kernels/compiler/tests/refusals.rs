@@ -23,13 +23,28 @@ fn lines(entry: &str) -> Vec<String> {
     refusals().iter().filter(|refusal| refusal.entry == entry).map(ToString::to_string).collect()
 }
 
-/// Asserts that a kernel is refused for exactly one reason, with these words.
+/// Asserts that a kernel is refused for exactly one reason, with these words, and for this function if one is named.
 fn refused(entry: &str, function: &str, reason: &str, instead: &str) {
-    let named = match function {
-        "" => format!("kernel `{entry}`"),
-        function => format!("kernel `{entry}`, `{function}`"),
-    };
-    assert_eq!(lines(entry), [format!("{named}: {reason}; instead: {instead}")]);
+    let found: Vec<&Refusal> = refusals().iter().filter(|refusal| refusal.entry == entry).collect();
+    let [refusal] = found[..] else { panic!("{:?}", lines(entry)) };
+    let text = refusal.to_string();
+    assert!(text.starts_with(&format!("kernel `{entry}`")), "{text}");
+    assert!(text.ends_with(&format!(": {reason}; instead: {instead}")), "{text}");
+    if !function.is_empty() {
+        assert_eq!(refusal.function.as_deref(), Some(function), "{text}");
+    }
+}
+
+/// Asserts that a refusal names the line of the source that holds `code`.
+fn points_at(entry: &str, code: &str) {
+    let source = include_str!("refused-kernels/src/lib.rs");
+    let line = source.lines().position(|line| line.contains(code)).expect("the code") + 1;
+    let place =
+        refusals().iter().find(|refusal| refusal.entry == entry).and_then(|refusal| refusal.place.clone());
+    assert!(
+        place.as_ref().is_some_and(|place| place.ends_with(&format!("src/lib.rs:{line}"))),
+        "{place:?}, not {line}"
+    );
 }
 
 const PANIC: &str = "index with `.at()` and `.put()` or `get`, use wrapping or checked arithmetic, and test divisors for zero";
@@ -47,6 +62,8 @@ fn what_can_panic() {
     ] {
         refused(entry, function, "it can still panic", PANIC);
     }
+    points_at("index", "a[b.at(i) as usize]");
+    points_at("unwrap", "a.at(i).checked_sub(b.at(i)).unwrap()");
     // Two ways to panic are two problems.
     let two = lines("signed_division");
     assert!(two.len() == 2 && two[0].contains("div_by_zero") && two[1].contains("div_overflow"), "{two:?}");
