@@ -1,8 +1,9 @@
-//! Another engine uses the traversal, the backends and the comparator, without a scene, a camera or a light of Parallax.
+//! Another engine uses the traversal, the backends and the comparator, without a scene, a camera or a light
+//! of Parallax.
 //!
-//! The engine has a level of boxes and asks how much of the sky each cell of its ground sees. Its two kernels live in a crate of their
-//! own (`embed-kernels`), written once. The CPU calls them as they are; for the GPU `kernel-compiler` makes SPIR-V of that crate.
-//! Then both results are compared, bit by bit.
+//! The engine has a level of boxes and asks how much of the sky each cell of its ground sees. Its two kernels
+//! live in a crate of their own (`embed-kernels`), written once. The CPU calls them as they are; for the GPU
+//! `kernel-compiler` makes SPIR-V of that crate. Then both results are compared, bit by bit.
 //!
 //! `cargo run --release --example embed`
 

@@ -1,13 +1,15 @@
 //! The comparator of the differential contract: two backends' outputs, stage by stage, as words.
 //!
-//! In the strict profile bits are equal or the stage fails; there is no list of exceptions. What would make a comparison pass for the
-//! wrong reason fails too: a NaN (on both sides as well), an infinity where none is due, an output that nobody wrote, lengths that
-//! differ, nothing to compare, and a buffer compared with itself.
+//! In the strict profile bits are equal or the stage fails; there is no list of exceptions. What would make a
+//! comparison pass for the wrong reason fails too: a NaN (on both sides as well), an infinity where none is
+//! due, an output that nobody wrote, lengths that differ, nothing to compare, and a buffer compared with
+//! itself.
 
 use crate::backend::Profile;
 use serde::Serialize;
 
-/// The words of an output that no pass has written (see [`Backend::create`](crate::backend::Backend::create)).
+/// The words of an output that no pass has written (see
+/// [`Backend::create`](crate::backend::Backend::create)).
 const UNWRITTEN: u32 = u32::MAX;
 
 /// What the words of a stage are.
@@ -54,8 +56,8 @@ pub struct Bound {
     pub ulps: u32,
     /// … or differ by as much.
     pub absolute: f32,
-    /// The share of all elements that may be further apart, or be other words. Where rounding moves a ray across an edge it hits
-    /// another primitive, and all that follows from that is another value.
+    /// The share of all elements that may be further apart, or be other words. Where rounding moves a ray
+    /// across an edge it hits another primitive, and all that follows from that is another value.
     pub share: f64,
 }
 
@@ -63,8 +65,8 @@ impl Bound {
     /// The same bits.
     pub const EXACT: Self = Self { ulps: 0, absolute: 0.0, share: 0.0 };
 
-    /// Whether two floats whose bits differ are close enough. The exact bound allows none, also not +0 beside −0, which are no ULP
-    /// apart; no bound allows an infinity beside something else.
+    /// Whether two floats whose bits differ are close enough. The exact bound allows none, also not +0 beside
+    /// −0, which are no ULP apart; no bound allows an infinity beside something else.
     fn allows(&self, ulps: u32, absolute: f32) -> bool {
         let close = ulps <= self.ulps || absolute <= self.absolute;
         absolute.is_finite() && close && *self != Self::EXACT
@@ -72,8 +74,9 @@ impl Bound {
 
     /// The bound of `profile` for a stage whose words are `kind`.
     ///
-    /// Fast: Vulkan lets a division be 2.5 ULP off and a square root some more, contraction removes roundings, and a dozen such
-    /// operations lie between a ray and a colour: 256 ULP, or 10⁻⁴ where terms cancel, except in 2 ‰ of the elements.
+    /// Fast: Vulkan lets a division be 2.5 ULP off and a square root some more, contraction removes
+    /// roundings, and a dozen such operations lie between a ray and a colour: 256 ULP, or 10⁻⁴ where terms
+    /// cancel, except in 2 ‰ of the elements.
     pub const fn of(profile: Profile, kind: Kind) -> Self {
         match (profile, kind) {
             (Profile::Strict, _) => Self::EXACT,

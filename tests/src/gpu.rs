@@ -1,7 +1,8 @@
 //! The drivers that tests run on, and what happens when there is none.
 //!
-//! `tests/run.sh` offers lavapipe and SwiftShader side by side (`VK_DRIVER_FILES`). A test asks for one by [`open`]; where it is
-//! missing the test says SKIPPED, on the terminal and not into cargo's captured output, or fails if `PARALLAX_REQUIRE_GPU=1`.
+//! `tests/run.sh` offers lavapipe and SwiftShader side by side (`VK_DRIVER_FILES`). A test asks for one by
+//! [`open`]; where it is missing the test says SKIPPED, on the terminal and not into cargo's captured output,
+//! or fails if `PARALLAX_REQUIRE_GPU=1`.
 
 use parallax::backend::{BackendError, Gpu, Profile};
 use std::io::Write;
@@ -30,8 +31,8 @@ impl Driver {
         }
     }
 
-    /// Whether a test fails when this driver is missing. SwiftShader comes from a package that a machine may not offer, and is
-    /// required where `PARALLAX_SWIFTSHADER` names it.
+    /// Whether a test fails when this driver is missing. SwiftShader comes from a package that a machine may
+    /// not offer, and is required where `PARALLAX_SWIFTSHADER` names it.
     fn is_required(self) -> bool {
         let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty() && value != "0");
         set("PARALLAX_REQUIRE_GPU") && (self != Driver::SwiftShader || set("PARALLAX_SWIFTSHADER"))
@@ -67,7 +68,8 @@ pub fn require<T>(found: Result<T, String>, required: bool) -> Option<T> {
     }
 }
 
-/// Says that the calling test is skipped. Written to the terminal itself, since cargo hides what a passing test prints.
+/// Says that the calling test is skipped. Written to the terminal itself, since cargo hides what a passing
+/// test prints.
 pub fn say_skipped(reason: &str) {
     let thread = std::thread::current();
     let test = thread.name().unwrap_or("a test");

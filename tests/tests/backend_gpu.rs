@@ -33,7 +33,8 @@ fn wgsl_alone() -> Modules {
     modules
 }
 
-/// The software drivers that there are, each with our SPIR-V in the strict profile and with WGSL in the fast one.
+/// The software drivers that there are, each with our SPIR-V in the strict profile and with WGSL in the fast
+/// one.
 fn each(test: impl Fn(Gpu)) {
     for driver in Driver::SOFTWARE {
         let Some(gpu) = open(driver, Profile::Strict) else { continue };

@@ -35,7 +35,8 @@ impl Arguments {
         arguments
     }
 
-    /// Refuses buffers of other backends than `owner`, buffers that are no more, and a written buffer that is bound twice.
+    /// Refuses buffers of other backends than `owner`, buffers that are no more, and a written buffer that is
+    /// bound twice.
     pub fn check<P: Pass>(&self, owner: u32, exists: impl Fn(u32) -> bool) -> Result<(), BackendError> {
         for bound in &self.buffers {
             let what = || format!("pass `{}`, `{}`", P::NAME, bound.binding.name);

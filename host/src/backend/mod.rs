@@ -1,5 +1,5 @@
-//! Where passes run. A frame is a list of passes over buffers that live where the backend lives; no pass knows on which backend it
-//! runs, and no backend knows what a pass computes.
+//! Where passes run. A frame is a list of passes over buffers that live where the backend lives; no pass
+//! knows on which backend it runs, and no backend knows what a pass computes.
 //!
 //! ```
 //! use glam::UVec3;
@@ -51,7 +51,8 @@ pub trait Backend {
     /// What this is, in words: "CPU (AVX2, 2 threads)", or the adapter and its driver.
     fn describe(&self) -> String;
 
-    /// A buffer of `len` elements, all words of which are `0xFFFF_FFFF` (as a float: NaN) until a pass writes them.
+    /// A buffer of `len` elements, all words of which are `0xFFFF_FFFF` (as a float: NaN) until a pass writes
+    /// them.
     ///
     /// Elements are whole words (checked at compile time). `label` names the buffer in errors.
     fn create<T: Pod>(&mut self, label: &'static str, len: usize) -> Result<Buffer<T>, BackendError>;
@@ -62,28 +63,30 @@ pub trait Backend {
     /// The elements of a buffer, behind all passes that were asked for before.
     fn read<T: Pod>(&mut self, buffer: Buffer<T>) -> Result<Vec<T>, BackendError>;
 
-    /// Gives the memory of a buffer back. Handles to it are refused from now on; releasing twice does nothing.
+    /// Gives the memory of a buffer back. Handles to it are refused from now on; releasing twice does
+    /// nothing.
     fn release<T: Pod>(&mut self, buffer: Buffer<T>);
 
-    /// Runs `pass` for `invocations` along x, y and z, rounded up to whole workgroups (so a pass guards its own extent).
+    /// Runs `pass` for `invocations` along x, y and z, rounded up to whole workgroups (so a pass guards its
+    /// own extent).
     ///
-    /// A buffer that the pass writes may be bound to it only once. A device may still be at it when this returns: an error of the
-    /// run may be told by a later call, at the latest by [`finish`](Self::finish).
+    /// A buffer that the pass writes may be bound to it only once. A device may still be at it when this
+    /// returns: an error of the run may be told by a later call, at the latest by [`finish`](Self::finish).
     fn run<P: Pass>(&mut self, pass: &P, invocations: [u32; 3]) -> Result<(), BackendError>;
 
     /// Waits until everything that was asked for is done.
     fn finish(&mut self) -> Result<(), BackendError>;
 
-    /// How many invocations of a heavy pass one run should have at most, so that no driver's watchdog takes it for hung and the
-    /// caller can show its progress.
+    /// How many invocations of a heavy pass one run should have at most, so that no driver's watchdog takes
+    /// it for hung and the caller can show its progress.
     fn max_invocations_hint(&self) -> u32;
 
     /// Size in bytes of the largest buffer that a pass can bind.
     fn max_buffer_bytes(&self) -> u64;
 
-    /// Into how many rows at most a picture of `width` × `height` pixels should be cut for this backend: at least one, at most
-    /// `height`, a multiple of 8 (the height of a workgroup) where possible. `bytes_per_pixel` is the element size of the largest buffer that has
-    /// an element per pixel.
+    /// Into how many rows at most a picture of `width` × `height` pixels should be cut for this backend: at
+    /// least one, at most `height`, a multiple of 8 (the height of a workgroup) where possible.
+    /// `bytes_per_pixel` is the element size of the largest buffer that has an element per pixel.
     fn suggested_rows(&self, width: u32, height: u32, bytes_per_pixel: u32) -> u32 {
         let fitting = self.max_buffer_bytes() / bytes_per_pixel.max(1) as u64;
         let pixels = fitting.min(self.max_invocations_hint() as u64);
@@ -98,7 +101,8 @@ fn new_owner() -> u32 {
     NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
-/// What is behind a handle, if it is a handle of `owner` to a buffer that still exists and is as large as the handle says.
+/// What is behind a handle, if it is a handle of `owner` to a buffer that still exists and is as large as the
+/// handle says.
 fn check_handle<'a, T, S>(
     what: &str,
     owner: u32,

@@ -49,8 +49,9 @@ pub struct Selection {
 
 /// The backend that `selection` describes.
 ///
-/// An automatic choice falls back on the CPU when no hardware GPU can be opened, unless an adapter is named. A forced GPU may be a
-/// software driver (the first one listed) when there is no hardware; a named adapter may be anything.
+/// An automatic choice falls back on the CPU when no hardware GPU can be opened, unless an adapter is named.
+/// A forced GPU may be a software driver (the first one listed) when there is no hardware; a named adapter
+/// may be anything.
 pub fn select(selection: &Selection) -> Result<Device, BackendError> {
     let (profile, name) = (selection.profile, selection.adapter.as_deref());
     let cpu = || Ok(Device::Cpu(Cpu::new(selection.threads)?));

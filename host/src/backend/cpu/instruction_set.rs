@@ -1,16 +1,17 @@
 //! The same code compiled once for each instruction set, the best one chosen at run time.
 //!
-//! A function that carries `#[target_feature]` passes its features on to whatever is inlined into it, so the code itself stays
-//! portable: a [`Task`] whose body is `#[inline(always)]` all the way down. Nothing is contracted or reassociated by any of the
-//! sets, so that the choice changes speed and no bit. AVX-512 is left out: its mask registers make eight-lane traversal slower.
+//! A function that carries `#[target_feature]` passes its features on to whatever is inlined into it, so the
+//! code itself stays portable: a [`Task`] whose body is `#[inline(always)]` all the way down. Nothing is
+//! contracted or reassociated by any of the sets, so that the choice changes speed and no bit. AVX-512 is
+//! left out: its mask registers make eight-lane traversal slower.
 
 /// A piece of work that gains from being compiled for the machine it runs on.
 pub trait Task {
     /// What it results in.
     type Output;
 
-    /// Does the work. Implementations must be `#[inline(always)]`, and so must everything hot that they call: what stays a call is
-    /// compiled for the baseline.
+    /// Does the work. Implementations must be `#[inline(always)]`, and so must everything hot that they call:
+    /// what stays a call is compiled for the baseline.
     fn run(self) -> Self::Output;
 }
 
@@ -65,7 +66,8 @@ impl InstructionSet {
         match self.0 {
             Kind::Baseline => baseline(task),
             #[cfg(target_arch = "x86_64")]
-            // SAFETY: a value with this kind is only made by `available`, which has asked the machine for these features.
+            // SAFETY: a value with this kind is only made by `available`, which has asked the machine for
+            // these features.
             Kind::Avx2 => unsafe { avx2(task) },
         }
     }

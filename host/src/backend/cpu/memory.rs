@@ -49,8 +49,8 @@ enum Loan<'a> {
 
 /// The buffers that one run binds.
 ///
-/// Each was borrowed exclusively from its owner and is lent in one way only, so that views cannot overlap whatever a pass asks for:
-/// what it has not declared makes it panic, which the backend reports.
+/// Each was borrowed exclusively from its owner and is lent in one way only, so that views cannot overlap
+/// whatever a pass asks for: what it has not declared makes it panic, which the backend reports.
 pub(super) struct Lent<'a> {
     loans: HashMap<u32, Loan<'a>>,
     marks: &'a HashMap<u32, Vec<AtomicU8>>,
@@ -77,8 +77,8 @@ impl<'a> Lent<'a> {
     }
 }
 
-/// One mark per element of each buffer that the run writes: with them `Out` finds an element that is written twice. Debug builds
-/// only, as `Out` looks at marks in debug builds only.
+/// One mark per element of each buffer that the run writes: with them `Out` finds an element that is written
+/// twice. Debug builds only, as `Out` looks at marks in debug builds only.
 pub(super) fn marks(buffers: &BTreeMap<u32, Storage>, arguments: &Arguments) -> HashMap<u32, Vec<AtomicU8>> {
     let written =
         arguments.buffers.iter().filter(|b| cfg!(debug_assertions) && b.binding.access == Access::Write);
@@ -93,8 +93,8 @@ pub(super) fn marks(buffers: &BTreeMap<u32, Storage>, arguments: &Arguments) -> 
 
 fn atomic_words(bytes: &mut [u8]) -> &[AtomicU32] {
     let words: &mut [u32] = bytemuck::cast_slice_mut(bytes);
-    // SAFETY: `AtomicU32` has the size and alignment of `u32`, and the words are borrowed exclusively, so that for the life of the
-    // borrow they are reached as atomics alone.
+    // SAFETY: `AtomicU32` has the size and alignment of `u32`, and the words are borrowed exclusively, so
+    // that for the life of the borrow they are reached as atomics alone.
     unsafe { std::slice::from_raw_parts(words.as_mut_ptr().cast::<AtomicU32>(), words.len()) }
 }
 
@@ -114,8 +114,8 @@ impl Memory for Lent<'_> {
             panic!("the pass asks twice for the view of a buffer that it writes")
         };
         let marks = self.marks.get(&buffer.id).map_or(&[][..], |marks| marks);
-        // SAFETY: the buffer is borrowed exclusively and its view asked for once; that invocations write different elements is
-        // the contract of a pass, which debug builds check by the marks.
+        // SAFETY: the buffer is borrowed exclusively and its view asked for once; that invocations write
+        // different elements is the contract of a pass, which debug builds check by the marks.
         unsafe { Out::new(bytemuck::cast_slice_mut(bytes), marks) }
     }
 

@@ -66,7 +66,8 @@ pub(super) fn enumerate(profile: Profile) -> Vec<(wgpu::Adapter, AdapterReport)>
     adapters.into_iter().map(|adapter| (report(&adapter, profile), adapter)).map(|(r, a)| (a, r)).collect()
 }
 
-/// The adapters of this machine; `used` and `why` tell which one an automatic choice would take for `profile`.
+/// The adapters of this machine; `used` and `why` tell which one an automatic choice would take for
+/// `profile`.
 pub fn adapters(profile: Profile) -> Vec<AdapterReport> {
     let mut reports: Vec<_> = enumerate(profile).into_iter().map(|(_, report)| report).collect();
     let used = choose(&reports, None, false).ok();
@@ -123,8 +124,9 @@ fn problem(spirv: bool, profile: Profile) -> Option<String> {
 
 /// Which of `adapters` to use.
 ///
-/// One that is named (a part of its name or driver, in any case) is taken whatever it is. Else the best hardware: discrete before
-/// integrated before virtual. A software driver, the first one listed, only if a GPU is `forced` and there is no hardware.
+/// One that is named (a part of its name or driver, in any case) is taken whatever it is. Else the best
+/// hardware: discrete before integrated before virtual. A software driver, the first one listed, only if a
+/// GPU is `forced` and there is no hardware.
 pub(super) fn choose(
     adapters: &[AdapterReport],
     name: Option<&str>,

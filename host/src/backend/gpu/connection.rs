@@ -27,7 +27,8 @@ impl Connection {
             label: Some("parallax"),
             required_features: adapter.features() & WANTED,
             required_limits: limits.clone(),
-            // SAFETY: the one experimental feature in use is the passthrough of modules, which come from the kernel compiler.
+            // SAFETY: the one experimental feature in use is the passthrough of modules, which come from the
+            // kernel compiler.
             experimental_features: unsafe { wgpu::ExperimentalFeatures::enabled() },
             ..Default::default()
         };
@@ -82,7 +83,8 @@ impl Connection {
         self.device.create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("parallax") })
     }
 
-    /// Waits until the device has done everything that was submitted. wgpu panics here when the device is lost.
+    /// Waits until the device has done everything that was submitted. wgpu panics here when the device is
+    /// lost.
     pub fn wait(&self) {
         let waited = catch_unwind(AssertUnwindSafe(|| self.device.poll(wgpu::PollType::wait_indefinitely())));
         match waited {

@@ -1,4 +1,5 @@
-//! What wgpu reports on its own time: errors and the loss of the device, kept until the next call can tell them.
+//! What wgpu reports on its own time: errors and the loss of the device, kept until the next call can tell
+//! them.
 
 use crate::backend::BackendError;
 use std::sync::{Arc, Mutex, PoisonError};

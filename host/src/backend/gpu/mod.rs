@@ -1,7 +1,7 @@
 //! The GPU backend: wgpu on Vulkan, which hands our SPIR-V to the driver as it is.
 //!
-//! naga's SPIR-V front end is never in the way: it drops NoContraction and turns unordered comparisons into ordered ones. In the
-//! fast profile an adapter that takes no SPIR-V gets the WGSL text of the same kernel.
+//! naga's SPIR-V front end is never in the way: it drops NoContraction and turns unordered comparisons into
+//! ordered ones. In the fast profile an adapter that takes no SPIR-V gets the WGSL text of the same kernel.
 
 mod adapters;
 mod connection;
@@ -30,7 +30,8 @@ use std::collections::hash_map::Entry;
 use std::collections::{BTreeMap, HashMap};
 use store::{DeviceBuffer, Poison};
 
-/// Invocations of a heavy pass that even a slow GPU does in a fraction of the two seconds after which a driver gives up.
+/// Invocations of a heavy pass that even a slow GPU does in a fraction of the two seconds after which a
+/// driver gives up.
 const HARDWARE_HINT: u32 = 1 << 20;
 
 /// Software drivers have no watchdog; this is for the caller's progress.
@@ -41,8 +42,9 @@ type Variant = (&'static str, Vec<(u32, u32)>);
 
 /// Runs passes on a GPU, or on a software driver that stands in for one.
 ///
-/// Runs are recorded and handed to the driver a batch at a time; what a pass did is known after [`Backend::finish`] or
-/// [`Backend::read`]. An empty buffer of one-word elements has one (poisoned) element for kernels, as no driver binds an empty one.
+/// Runs are recorded and handed to the driver a batch at a time; what a pass did is known after
+/// [`Backend::finish`] or [`Backend::read`]. An empty buffer of one-word elements has one (poisoned) element
+/// for kernels, as no driver binds an empty one.
 pub struct Gpu {
     owner: u32,
     next_id: u32,
@@ -91,7 +93,8 @@ impl Gpu {
     /// (start from [`Modules::embedded`] to add to those of this one).
     ///
     /// # Safety of modules
-    /// SPIR-V goes to the driver unchecked. Use what `kernel-compiler` makes, or put it through `spirv-val` yourself.
+    /// SPIR-V goes to the driver unchecked. Use what `kernel-compiler` makes, or put it through `spirv-val`
+    /// yourself.
     pub fn with_modules(mut self, modules: Modules) -> Self {
         self.modules = modules;
         self.pipelines.clear();

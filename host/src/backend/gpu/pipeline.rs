@@ -38,7 +38,8 @@ pub(super) struct Pipeline {
 }
 
 impl Pipeline {
-    /// Compiles `code`, which must fit `declaration`, with the constants (number, bits) frozen to their values.
+    /// Compiles `code`, which must fit `declaration`, with the constants (number, bits) frozen to their
+    /// values.
     pub fn new(
         connection: &Connection,
         declaration: &Declaration<'_>,
@@ -147,8 +148,8 @@ fn spirv_module(
         spirv: Some(words.into()),
         ..Default::default()
     };
-    // SAFETY: the words are a module of the kernel compiler, which makes valid SPIR-V (tests put all of it through spirv-val), or
-    // one for whose validity the caller of `with_modules` or `run_module` answers.
+    // SAFETY: the words are a module of the kernel compiler, which makes valid SPIR-V (tests put all of it
+    // through spirv-val), or one for whose validity the caller of `with_modules` or `run_module` answers.
     Ok(unsafe { connection.device.create_shader_module_passthrough(descriptor) })
 }
 
@@ -195,8 +196,8 @@ fn check_fit(
 fn wgsl_module(connection: &Connection, entry: &str, text: &str) -> wgpu::ShaderModule {
     let descriptor =
         wgpu::ShaderModuleDescriptor { label: Some(entry), source: wgpu::ShaderSource::Wgsl(text.into()) };
-    // SAFETY: what naga's run-time checks guard against (indices out of range, endless loops) the kernels themselves exclude, and
-    // buffers are created with robust access.
+    // SAFETY: what naga's run-time checks guard against (indices out of range, endless loops) the kernels
+    // themselves exclude, and buffers are created with robust access.
     unsafe {
         connection.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked())
     }

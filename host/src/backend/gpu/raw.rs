@@ -1,4 +1,5 @@
-//! Runs any module over plain words, without a declaration: for tests of the kernel compiler, and for trying things out.
+//! Runs any module over plain words, without a declaration: for tests of the kernel compiler, and for trying
+//! things out.
 
 use super::Gpu;
 use super::pipeline::{Code, Declaration, Pipeline, Slot};
@@ -20,12 +21,13 @@ pub struct RawBinding {
 }
 
 impl Gpu {
-    /// Runs the entry point `entry`, whose workgroups have `threads` invocations, of the SPIR-V module `words` with `groups`
-    /// workgroups, and waits for it. Specialisation constants are set before, by [`specialise`](super::specialise).
+    /// Runs the entry point `entry`, whose workgroups have `threads` invocations, of the SPIR-V module
+    /// `words` with `groups` workgroups, and waits for it. Specialisation constants are set before, by
+    /// [`specialise`](fn@super::specialise).
     ///
     /// # Errors
-    /// When the module does not fit what is bound, or the device refuses it. Words that `spirv-val` would refuse may crash the
-    /// driver.
+    /// When the module does not fit what is bound, or the device refuses it. Words that `spirv-val` would
+    /// refuse may crash the driver.
     pub fn run_module(
         &self,
         words: &[u32],
@@ -45,8 +47,8 @@ impl Gpu {
         )
     }
 
-    /// Runs the entry point `entry` of a WGSL text with `groups` workgroups, and waits for it. `constants` (number, value) set
-    /// `@id(number) override`s.
+    /// Runs the entry point `entry` of a WGSL text with `groups` workgroups, and waits for it. `constants`
+    /// (number, value) set `@id(number) override`s.
     pub fn run_wgsl(
         &self,
         text: &str,

@@ -1,6 +1,8 @@
-//! Sets specialisation constants in the words of a module: wgpu hands modules on as they are and has no way to pass them along.
+//! Sets specialisation constants in the words of a module: wgpu hands modules on as they are and has no way
+//! to pass them along.
 //!
-//! A constant that is set becomes an ordinary one, so that the driver's compiler sees a number and removes what it switches off.
+//! A constant that is set becomes an ordinary one, so that the driver's compiler sees a number and removes
+//! what it switches off.
 
 use super::spirv::{Instruction, SpirvError, instructions, op};
 use std::collections::BTreeMap;
@@ -9,8 +11,8 @@ const DECORATION_SPEC_ID: u32 = 1;
 
 /// The module `words` with each constant of `set` (its number and its bits) frozen to its value.
 ///
-/// Constants that the module does not have are ignored (a compiler drops what no instruction uses), constants that are not set
-/// keep their default.
+/// Constants that the module does not have are ignored (a compiler drops what no instruction uses), constants
+/// that are not set keep their default.
 ///
 /// # Errors
 /// When `words` are no SPIR-V module.

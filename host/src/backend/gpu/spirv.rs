@@ -1,5 +1,5 @@
-//! Reads what a dispatch must know of a SPIR-V module, and sets its specialisation constants. The numbers are those of the SPIR-V
-//! specification 1.6, section 3.
+//! Reads what a dispatch must know of a SPIR-V module, and sets its specialisation constants. The numbers are
+//! those of the SPIR-V specification 1.6, section 3.
 
 use std::collections::BTreeMap;
 use thiserror::Error;
