@@ -1,10 +1,14 @@
-//! Lists the committed kernel modules as `include_bytes!` for `backend::gpu::modules`.
+//! Links Embree where the feature asks for it, and lists the committed kernel modules as `include_bytes!` for `backend::gpu::modules`.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
+    // What `parallax bench traversal` compares with (Debian: libembree-dev).
+    if env::var_os("CARGO_FEATURE_EMBREE").is_some() {
+        println!("cargo::rustc-link-lib=dylib=embree3");
+    }
     embed_modules()
 }
 

@@ -1,6 +1,7 @@
 //! Parallax: stereo and multi-view ray tracing with one source for CPU and GPU and the same bits on both.
 
 pub mod backend;
+pub mod bench;
 pub mod build;
 pub mod compare;
 pub mod diff;

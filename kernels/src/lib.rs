@@ -5,6 +5,7 @@
 
 pub mod bounce;
 pub mod primary;
+pub mod rays;
 pub mod shade;
 pub mod shadow;
 pub mod surface;

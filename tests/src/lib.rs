@@ -3,7 +3,9 @@
 pub mod gpu;
 pub mod kernels;
 pub mod machines;
+pub mod meshes;
 pub mod models;
 pub mod oracle;
 pub mod random_kernels;
+pub mod reference;
 pub mod stage;

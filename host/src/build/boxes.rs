@@ -42,6 +42,13 @@ impl Primitives<'_> {
     }
 
     /// The box of each, exactly as the traversal bounds it.
+    pub fn all_boxes(&self) -> impl Iterator<Item = Aabb> {
+        (self.triangles.iter().map(triangle_box))
+            .chain(self.spheres.iter().map(sphere_box))
+            .chain(self.ellipsoids.iter().map(ellipsoid_box))
+    }
+
+    /// [`all_boxes`](Self::all_boxes), checked.
     ///
     /// # Errors
     /// If one is not finite, or if there are too many.
@@ -49,10 +56,7 @@ impl Primitives<'_> {
         if self.len() > (1 << 27) {
             return Err(BuildError::TooMany(self.len()));
         }
-        let boxes: Vec<Aabb> = (self.triangles.iter().map(triangle_box))
-            .chain(self.spheres.iter().map(sphere_box))
-            .chain(self.ellipsoids.iter().map(ellipsoid_box))
-            .collect();
+        let boxes: Vec<Aabb> = self.all_boxes().collect();
         match boxes.iter().position(|b| !(b.min.is_finite() && b.max.is_finite())) {
             Some(number) => Err(BuildError::NotFinite(number as u32)),
             None => Ok(boxes),

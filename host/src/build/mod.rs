@@ -7,7 +7,7 @@
 pub mod binned;
 pub mod boxes;
 pub mod collapse;
-
+pub mod validate;
 pub mod write;
 
 use boxes::Primitives;

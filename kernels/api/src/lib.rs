@@ -38,7 +38,7 @@ pub mod pass;
 
 pub use device::subgroup;
 pub use kernel_macros::{rare, spirv};
-pub use memory::{At, Index, Out, Stack, Workgroup};
+pub use memory::{At, Index, OpenStack, Out, Stack, Workgroup};
 pub use pass::{Access, Binding, Bound, Buffer, Invocation, Memory, Pass};
 
 /// What the expansion of `#[spirv]` refers to. Not for use by hand.

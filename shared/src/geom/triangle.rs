@@ -14,6 +14,8 @@ use crate::traversal::rules::{Rules, closer};
 use crate::traversal::slab::own_box;
 use kernel_api::rare;
 
+const XYZ: [usize; 3] = [0, 1, 2];
+
 /// A pack of triangles.
 pub type Pack = [Row; TRIANGLE_ROWS];
 
@@ -52,14 +54,19 @@ fn edges(a: [f32; 3], b: [f32; 3], c: [f32; 3], ray: &Prepared) -> Edges {
 /// Vertex `corner` of the triangle in `lane`, its coordinates in the order of `axes`.
 #[inline(always)]
 fn vertex(pack: &Pack, lane: usize, axes: [usize; 3], corner: usize) -> [f32; 3] {
-    axes.map(|axis| float(&pack[3 * corner + axis], lane))
+    let first = 3 * corner;
+    [
+        float(&pack[axes[0] + first], lane),
+        float(&pack[axes[1] + first], lane),
+        float(&pack[axes[2] + first], lane),
+    ]
 }
 
 /// The edge functions of the triangle in `lane`.
 #[inline(always)]
 pub fn edges_of(pack: &Pack, lane: usize, ray: &Prepared) -> Edges {
-    let at = |corner| vertex(pack, lane, ray.axes, corner);
-    edges(at(0), at(1), at(2), ray)
+    let (a, b) = (vertex(pack, lane, ray.axes, 0), vertex(pack, lane, ray.axes, 1));
+    edges(a, b, vertex(pack, lane, ray.axes, 2), ray)
 }
 
 /// Dekker's error of the product `p = fl(a·b)`, exact without fma as long as nothing over- or underflows.
@@ -110,9 +117,9 @@ fn outside(t: f32, near: f32, far: f32) -> f32 {
 pub fn accept<R: Rules>(pack: &Pack, lane: usize, edges: Edges, ray: &Prepared, best: &mut Hit) -> bool {
     let t = div(edges.scaled_t, edges.area);
     let prim_id = pack[TRIANGLE_ROWS - 1].0[lane];
-    let at = |row: usize| float(&pack[row], lane);
-    let low = [0, 1, 2].map(|axis| min(at(axis), min(at(axis + 3), at(axis + 6))));
-    let high = [0, 1, 2].map(|axis| max(at(axis), max(at(axis + 3), at(axis + 6))));
+    let [a, b, c] = [vertex(pack, lane, XYZ, 0), vertex(pack, lane, XYZ, 1), vertex(pack, lane, XYZ, 2)];
+    let low = [min(a[0], min(b[0], c[0])), min(a[1], min(b[1], c[1])), min(a[2], min(b[2], c[2]))];
+    let high = [max(a[0], max(b[0], c[0])), max(a[1], max(b[1], c[1])), max(a[2], max(b[2], c[2]))];
     let (near, far) = own_box(low, high, ray);
     // A branch, not a selection: the best hit then waits for the division alone, and the box is checked meanwhile.
     let t = if (near <= t) & (t <= far) { t } else { outside(t, near, far) };

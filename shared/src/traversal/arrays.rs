@@ -8,7 +8,7 @@ use super::slab::{self, Lanes};
 use super::walk::Entry;
 use crate::geom::triangle::{self, Edges, Pack};
 use crate::layout::{Hit, Row};
-use kernel_api::Stack;
+use kernel_api::OpenStack;
 
 /// Entry distance above the link: what children are sorted by, and not by the distance alone, so that equal distances have an order.
 #[inline(always)]
@@ -18,7 +18,7 @@ fn key(enter: f32, link: u32) -> u64 {
 
 #[inline(always)]
 fn entry(key: u64) -> Entry {
-    [key as u32, (key >> 32) as u32]
+    Entry { link: key as u32, enter: (key >> 32) as u32 }
 }
 
 #[inline(always)]
@@ -39,7 +39,7 @@ pub(super) fn visit<const ANY: bool>(
     node: &[Row; NODE_ROWS],
     ray: &Prepared,
     limit: f32,
-    stack: &mut Stack<Entry, STACK>,
+    stack: &mut OpenStack<Entry, STACK>,
 ) -> Option<u32> {
     let (enter, hit) = slab::children(node, ray, limit);
     let links = &node[LINKS].0;
@@ -54,7 +54,7 @@ pub(super) fn visit<const ANY: bool>(
     }
     if ANY {
         while !hit.is_empty() {
-            stack.push([links[hit.take()], 0]);
+            stack.push(Entry { link: links[hit.take()], enter: 0 });
         }
         return Some(first);
     }
@@ -78,9 +78,9 @@ pub(super) fn visit<const ANY: bool>(
     stack.push(entry(near));
     while !hit.is_empty() {
         let key = next(&mut hit, &enter, links);
-        stack.insert(base, entry(key), |above, new| above[1] < new[1]);
+        stack.insert(base, entry(key), |above, new| above.enter < new.enter);
     }
-    stack.pop().map(|[link, _]| link)
+    stack.pop().map(|entry| entry.link)
 }
 
 /// Tests a pack of triangles; returns whether the best hit came closer.

@@ -7,7 +7,7 @@ use super::slab;
 use super::walk::Entry;
 use crate::geom::triangle::{self, Pack};
 use crate::layout::{Hit, NONE, Row};
-use kernel_api::Stack;
+use kernel_api::OpenStack;
 
 /// The child to go to next, the nearest of those that are hit; the others go onto the stack, in no order.
 #[inline(always)]
@@ -15,22 +15,22 @@ pub(super) fn visit(
     node: &[Row; NODE_ROWS],
     ray: &Prepared,
     limit: f32,
-    stack: &mut Stack<Entry, STACK>,
+    stack: &mut OpenStack<Entry, STACK>,
 ) -> Option<u32> {
-    let mut nearest = [NONE, u32::MAX];
+    let mut nearest = Entry { link: NONE, enter: u32::MAX };
     for lane in 0..LANES {
         let (enter, leave) = slab::child(node, lane, ray, limit);
         if enter <= leave {
-            let entry = [node[LINKS].0[lane], enter.to_bits()];
-            let first = entry[1] < nearest[1];
+            let entry = Entry { link: node[LINKS].0[lane], enter: enter.to_bits() };
+            let first = entry.enter < nearest.enter;
             let later = if first { nearest } else { entry };
             nearest = if first { entry } else { nearest };
-            if later[0] != NONE {
+            if later.link != NONE {
                 stack.push(later);
             }
         }
     }
-    (nearest[0] != NONE).then_some(nearest[0])
+    (nearest.link != NONE).then_some(nearest.link)
 }
 
 /// Tests a pack of triangles; returns whether the best hit came closer.

@@ -39,7 +39,11 @@ impl Prepared {
     pub fn new<R: Rules>(ray: &Ray, extent: f32) -> Self {
         let dir = ray.dir;
         // Four lanes, the last one idle: of three LLVM makes a scalar and a pair.
-        let inverse = [dir[0], dir[1], dir[2], ray.t_max].map(clamped_inverse);
+        let four = [dir[0], dir[1], dir[2], ray.t_max];
+        let mut inverse = [0.0; 4];
+        for lane in 0..4 {
+            inverse[lane] = clamped_inverse(four[lane]);
+        }
         let inv_dir = [inverse[0], inverse[1], inverse[2]];
         let padding = (largest(ray.origin) + extent) * R::PADDING;
         let (mut near_origin, mut far_origin) = (ray.origin, ray.origin);
@@ -97,7 +101,7 @@ fn largest(v: [f32; 3]) -> f32 {
 /// The axis of the largest component.
 #[inline(always)]
 fn largest_axis(v: [f32; 3]) -> usize {
-    let [x, y, z] = v.map(f32::abs);
+    let (x, y, z) = (v[0].abs(), v[1].abs(), v[2].abs());
     if x > y {
         if x > z { 0 } else { 2 }
     } else if y > z {

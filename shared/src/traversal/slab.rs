@@ -22,9 +22,14 @@ pub(super) fn slab(near: [f32; 3], far: [f32; 3], ray: &Prepared, limit: f32) ->
 /// [`slab`] of the child in `lane`.
 #[inline(always)]
 pub(super) fn child(node: &[Row; NODE_ROWS], lane: usize, ray: &Prepared, limit: f32) -> (f32, f32) {
-    let near = ray.near_row.map(|row| float(&node[row], lane));
-    let far = ray.far_row.map(|row| float(&node[row], lane));
-    slab(near, far, ray, limit)
+    slab(corner(node, ray.near_row, lane), corner(node, ray.far_row, lane), ray, limit)
+}
+
+/// Three planes of the box in `lane`. Written out: a closure in `map` may stay a call, compiled without vector instructions, which
+/// would throw all the ray's constants out of their registers.
+#[inline(always)]
+fn corner(node: &[Row; NODE_ROWS], rows: [usize; 3], lane: usize) -> [f32; 3] {
+    [float(&node[rows[0]], lane), float(&node[rows[1]], lane), float(&node[rows[2]], lane)]
 }
 
 /// [`slab`] of all children: where they are entered, and which of them are hit.
@@ -46,13 +51,17 @@ pub(super) fn children(node: &[Row; NODE_ROWS], ray: &Prepared, limit: f32) -> (
 /// Both products are formed and ordered by comparison, which gives the bits of [`slab`] without selecting planes by sign.
 #[inline(always)]
 pub(crate) fn own_box(low: [f32; 3], high: [f32; 3], ray: &Prepared) -> (f32, f32) {
-    let side = |axis: usize| {
-        let a = (low[axis] - max(ray.near_origin[axis], ray.far_origin[axis])) * ray.inv_dir[axis];
-        let b = (high[axis] - min(ray.near_origin[axis], ray.far_origin[axis])) * ray.inv_dir[axis];
-        (min(a, b), max(a, b))
-    };
-    let ((near_x, far_x), (near_y, far_y), (near_z, far_z)) = (side(0), side(1), side(2));
+    let (near_x, far_x) = side(low[0], high[0], ray, 0);
+    let (near_y, far_y) = side(low[1], high[1], ray, 1);
+    let (near_z, far_z) = side(low[2], high[2], ray, 2);
     (max(near_x, max(near_y, near_z)), min(far_x, min(far_y, far_z)))
+}
+
+#[inline(always)]
+fn side(low: f32, high: f32, ray: &Prepared, axis: usize) -> (f32, f32) {
+    let a = (low - max(ray.near_origin[axis], ray.far_origin[axis])) * ray.inv_dir[axis];
+    let b = (high - min(ray.near_origin[axis], ray.far_origin[axis])) * ray.inv_dir[axis];
+    (min(a, b), max(a, b))
 }
 
 /// One bit for each lane, as a list to take lanes from, the lowest first.

@@ -8,7 +8,11 @@ use crate::layout::{Hit, NONE, Ray, Row};
 use kernel_api::{At, Stack};
 
 /// A link and the bits of the distance at which its box is entered. Distances are +0 or more, so their bits have their order.
-pub(super) type Entry = [u32; 2];
+#[derive(Clone, Copy)]
+pub(super) struct Entry {
+    pub(super) link: u32,
+    pub(super) enter: u32,
+}
 
 /// `ANY`: the first hit found, to be asked only whether there is one. `SCAN`: driven lane after lane instead of by arrays and masks.
 /// The hits do not depend on `SCAN`.
@@ -20,7 +24,7 @@ pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &R
         return miss();
     }
     let mut memory = Stack::<Entry, STACK>::new();
-    let stack = &mut memory;
+    let stack = &mut memory.open();
     let mut limit = best.t;
     let mut link = 0;
     loop {
@@ -53,11 +57,11 @@ pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &R
             }
         }
         loop {
-            let Some([next, enter]) = stack.pop() else {
+            let Some(entry) = stack.pop() else {
                 return if best.t < given.t_max { best } else { miss() };
             };
-            if ANY || enter <= limit.to_bits() {
-                link = next;
+            if ANY || entry.enter <= limit.to_bits() {
+                link = entry.link;
                 break;
             }
         }

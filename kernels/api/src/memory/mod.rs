@@ -14,5 +14,5 @@ mod workgroup;
 pub use at::{At, Index};
 pub use atomic::signed;
 pub use out::Out;
-pub use stack::Stack;
+pub use stack::{OpenStack, Stack};
 pub use workgroup::Workgroup;

@@ -44,7 +44,7 @@ impl<T: Copy, const N: usize> Stack<T, N> {
         let fits = (self.len as usize) < N;
         if fits {
             // SAFETY: `len < N`.
-            unsafe { *self.items.get_unchecked_mut(self.len as usize) = MaybeUninit::new(item) };
+            unsafe { self.items.as_mut_ptr().cast::<T>().add(self.len as usize).write(item) };
             self.len += 1;
         }
         fits
@@ -58,36 +58,100 @@ impl<T: Copy, const N: usize> Stack<T, N> {
         }
         self.len -= 1;
         // SAFETY: every item below `len` has been pushed, and `len <= N` always.
-        Some(unsafe { self.items.get_unchecked(self.len as usize).assume_init() })
-    }
-
-    /// Puts `item` above the lowest `base` items, below those on top of which `precedes(theirs, item)` holds; `false` when the stack
-    /// is full.
-    #[inline(always)]
-    pub fn insert(&mut self, base: u32, item: T, precedes: impl Fn(&T, &T) -> bool) -> bool {
-        let mut at = self.len as usize;
-        let fits = self.push(item);
-        while fits && at > base as usize {
-            // SAFETY: `at - 1 < at < len`, and every item below `len` has been pushed.
-            let below = unsafe { self.items.get_unchecked(at - 1).assume_init() };
-            if !precedes(&below, &item) {
-                break;
-            }
-            // SAFETY: as above.
-            unsafe { *self.items.get_unchecked_mut(at) = MaybeUninit::new(below) };
-            at -= 1;
-        }
-        if fits {
-            // SAFETY: `at < len`.
-            unsafe { *self.items.get_unchecked_mut(at) = MaybeUninit::new(item) };
-        }
-        fits
+        Some(unsafe { self.items.as_ptr().cast::<T>().add(self.len as usize).read() })
     }
 
     /// Removes all items.
     #[inline(always)]
     pub fn clear(&mut self) {
         self.len = 0;
+    }
+}
+
+impl<T: Copy, const N: usize> Stack<T, N> {
+    /// Empties the stack and hands it out with its length apart from its items: it can then live in a register, where the length of a
+    /// [`Stack`] is loaded and stored with every item. For hot loops.
+    #[inline(always)]
+    pub fn open(&mut self) -> OpenStack<'_, T, N> {
+        self.len = 0;
+        OpenStack { items: &mut self.items, len: 0 }
+    }
+}
+
+/// A [`Stack`] with its length apart; see [`Stack::open`].
+pub struct OpenStack<'a, T, const N: usize> {
+    items: &'a mut [MaybeUninit<T>; N],
+    len: u32,
+}
+
+impl<T: Copy, const N: usize> OpenStack<'_, T, N> {
+    /// Number of items.
+    #[inline(always)]
+    pub fn len(&self) -> u32 {
+        self.len
+    }
+
+    /// Whether there is no item.
+    #[inline(always)]
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// As [`Stack::push`].
+    #[inline(always)]
+    pub fn push(&mut self, item: T) -> bool {
+        let fits = (self.len as usize) < N;
+        if fits {
+            // SAFETY: `len < N`.
+            unsafe { self.slot(self.len).write(item) };
+            self.len += 1;
+        }
+        fits
+    }
+
+    /// As [`Stack::pop`].
+    #[inline(always)]
+    pub fn pop(&mut self) -> Option<T> {
+        if self.len == 0 {
+            return None;
+        }
+        self.len -= 1;
+        // SAFETY: every item below `len` has been pushed since `open`, and `len <= N` always.
+        Some(unsafe { self.slot(self.len).read() })
+    }
+
+    /// Puts `item` above the lowest `base` items, below those on top of which `precedes(theirs, item)` holds; `false` when the stack
+    /// is full.
+    #[inline(always)]
+    pub fn insert(&mut self, base: u32, item: T, precedes: impl Fn(&T, &T) -> bool) -> bool {
+        let mut at = self.len;
+        let fits = self.push(item);
+        while fits && at > base {
+            // SAFETY: `at - 1 < at < len`, and every item below `len` has been pushed.
+            let below = unsafe { self.slot(at - 1).read() };
+            if !precedes(&below, &item) {
+                break;
+            }
+            // SAFETY: as above.
+            unsafe { self.slot(at).write(below) };
+            at -= 1;
+        }
+        if fits {
+            // SAFETY: `at < len`.
+            unsafe { self.slot(at).write(item) };
+        }
+        fits
+    }
+
+    /// Where item `i` is. A pointer, so that an item of two words moves as two words (a `MaybeUninit` would as one of 64 bits, which
+    /// devices may lack).
+    ///
+    /// # Safety
+    /// `i < N`.
+    #[inline(always)]
+    unsafe fn slot(&mut self, i: u32) -> *mut T {
+        // SAFETY: in range by the caller's promise.
+        unsafe { self.items.as_mut_ptr().cast::<T>().add(i as usize) }
     }
 }
 
@@ -119,7 +183,8 @@ mod tests {
 
     #[test]
     fn an_inserted_item_goes_below_those_that_precede_it_but_not_below_the_base() {
-        let mut stack = Stack::<u32, 5>::new();
+        let mut memory = Stack::<u32, 5>::new();
+        let mut stack = memory.open();
         for item in [1, 9, 4] {
             stack.push(item);
         }
