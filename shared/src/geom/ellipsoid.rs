@@ -1,8 +1,8 @@
 //! Ellipsoids: spheres in a space of their own.
 
-use super::sphere::{chord, first_root};
+use super::sphere::Chord;
 use crate::layout::{Ellipsoid, Ray};
-use crate::math::{self, vector};
+use crate::math::{self, Offset, vector};
 use glam::Vec3;
 
 /// Rows of the matrix that takes the ellipsoid to the unit sphere.
@@ -49,17 +49,25 @@ pub fn bounds(ellipsoid: &Ellipsoid) -> ([f32; 3], [f32; 3]) {
 /// The smallest `t` ≥ `ray.t_min` at which `ray` meets the ellipsoid, or NaN when there is none; as
 /// [`sphere::intersect`](super::sphere::intersect) in every respect.
 ///
-/// The ray's origin is moved to its nearest point (as seen in unit space) in *world* space, by an exact product, and only then
-/// transformed: what a matrix of condition 10⁴ (a flat ellipsoid) makes of rounding errors stays below the ellipsoid's own size times ε.
+/// The ray's origin is moved to its nearest point (as seen in unit space) in *world* space, by exact sums and products, and only then
+/// transformed. So the point at `t` is off the ellipsoid by a few ULP of its largest half axis, even if another one is 10⁴ times
+/// smaller.
 #[inline(always)]
 pub fn intersect(centre: [f32; 3], to_unit: &ToUnit, ray: &Ray, enter: f32, leave: f32) -> f32 {
-    let (origin, dir) = (Vec3::from_array(ray.origin) - Vec3::from_array(centre), Vec3::from_array(ray.dir));
+    let (_, chord) = chord_of(centre, to_unit, ray);
+    chord.first_root(ray.t_min, enter, leave)
+}
+
+/// The point of the ray at `nearest`, seen from the centre, and the chord.
+#[inline(always)]
+fn chord_of(centre: [f32; 3], to_unit: &ToUnit, ray: &Ray) -> (Vec3, Chord) {
+    let origin = Offset::new(Vec3::from_array(ray.origin), Vec3::from_array(centre));
+    let dir = Vec3::from_array(ray.dir);
     let unit_dir = to_unit.of(dir);
     let inverse = math::div(1.0, unit_dir.dot(unit_dir));
-    let nearest = -(to_unit.of(origin).dot(unit_dir) * inverse);
-    let from = to_unit.of(math::along(origin, dir, nearest));
-    let (middle, half) = chord(from, unit_dir, inverse, 1.0);
-    first_root(nearest, middle, half, ray.t_min, enter, leave)
+    let nearest = -(to_unit.of(origin.rounded).dot(unit_dir) * inverse);
+    let from = origin.along(dir, nearest);
+    (from, Chord::new(nearest, to_unit.of(from), unit_dir, inverse, 1.0))
 }
 
 /// A point of an ellipsoid.
@@ -73,11 +81,12 @@ pub struct Point {
     pub on_unit_sphere: Vec3,
 }
 
-/// The point of the ellipsoid at parameter `t` of a ray that hits it there.
+/// The point at which `ray` hits the ellipsoid at parameter `t`.
 #[inline]
 pub fn point(ellipsoid: &Ellipsoid, ray: &Ray, t: f32) -> Point {
     let (centre, to_unit) = (Vec3::from_array(ellipsoid.centre), ToUnit::new(ellipsoid));
-    let from_centre = math::along(Vec3::from_array(ray.origin) - centre, Vec3::from_array(ray.dir), t);
+    let (from, chord) = chord_of(ellipsoid.centre, &to_unit, ray);
+    let from_centre = from + Vec3::from_array(ray.dir) * chord.end_at(t);
     let unit = to_unit.of(from_centre);
     let to_surface = math::div(1.0, vector::length(unit));
     let on_unit_sphere = unit * to_surface;

@@ -1,4 +1,4 @@
-//! Products with their rounding errors, without fma.
+//! Products and differences with their rounding errors, without fma.
 
 use glam::Vec3;
 
@@ -17,14 +17,33 @@ pub fn product_error(a: f32, b: f32, product: f32) -> f32 {
     ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low
 }
 
-/// `origin` + `dir`·`t` with an error of 1 ULP of the *result*, however much cancels: where a ray is near something, seen from there.
-#[inline(always)]
-pub fn along(origin: Vec3, dir: Vec3, t: f32) -> Vec3 {
-    let product = dir * t;
-    let error = Vec3::new(
-        product_error(dir.x, t, product.x),
-        product_error(dir.y, t, product.y),
-        product_error(dir.z, t, product.z),
-    );
-    (origin + product) + error
+/// A point as seen from another one: the difference and its rounding error, together exact.
+#[derive(Clone, Copy, Debug)]
+pub struct Offset {
+    /// The difference, rounded.
+    pub rounded: Vec3,
+    /// What rounding took from it.
+    pub error: Vec3,
+}
+
+impl Offset {
+    /// `point` − `from` (Knuth's two-sum).
+    #[inline(always)]
+    pub fn new(point: Vec3, from: Vec3) -> Self {
+        let rounded = point - from;
+        let taken = rounded - point;
+        Self { rounded, error: (point - (rounded - taken)) - (from + taken) }
+    }
+
+    /// `self` + `dir`·`t` with an error of 1 ULP of the *result*, however much cancels: a ray seen from something that it comes near.
+    #[inline(always)]
+    pub fn along(self, dir: Vec3, t: f32) -> Vec3 {
+        let product = dir * t;
+        let error = Vec3::new(
+            product_error(dir.x, t, product.x),
+            product_error(dir.y, t, product.y),
+            product_error(dir.z, t, product.z),
+        );
+        (self.rounded + product) + (self.error + error)
+    }
 }

@@ -19,7 +19,7 @@ pub mod vector;
 
 pub use angle::atan2;
 pub use division::{div_corrected, div_from};
-pub use exact::{along, product_error};
+pub use exact::{Offset, product_error};
 pub use power::{exp2, log2, pow, powi};
 pub use root::{sqrt_corrected, sqrt_from};
 

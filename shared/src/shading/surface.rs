@@ -4,7 +4,7 @@ use crate::camera;
 use crate::effects::Effects;
 use crate::geom::{ellipsoid, sphere};
 use crate::layout::{BACK, Hit, NONE, Ray, Surface, Triangle};
-use crate::math::{self, max, min, vector};
+use crate::math::{self, Offset, max, min, vector};
 use crate::scene::SceneView;
 use glam::{Vec2, Vec3};
 use kernel_api::At;
@@ -101,7 +101,7 @@ fn on_triangle(triangle: &Triangle, ray: &Ray, t: f32, effects: Effects) -> Poin
     let [a, b, c] = triangle.vertices.map(Vec3::from_array);
     let (ab, ac) = (b - a, c - a);
     // Where the ray is at `t`, seen from `a`: exact to rounding of its distance from there, however far the eye is.
-    let from_a = math::along(Vec3::from_array(ray.origin) - a, Vec3::from_array(ray.dir), t);
+    let from_a = Offset::new(Vec3::from_array(ray.origin), a).along(Vec3::from_array(ray.dir), t);
     let across = ab.cross(ac);
     let square = across.dot(across);
     let has_area = square >= f32::MIN_POSITIVE;
