@@ -1,7 +1,7 @@
 //! Scenes whose pictures can be worked out by hand.
 
 use glam::{DVec3, Vec2, Vec3};
-use parallax::backend::Cpu;
+use parallax::backend::{Cpu, Profile};
 use parallax::rig::StereoRig;
 use parallax_shared::camera;
 use parallax_shared::effects::Effects;
@@ -9,6 +9,7 @@ use parallax_shared::layout::{BACK, Light, Material, NONE, Texture, View};
 use parallax_shared::math;
 use parallax_shared::shading::texture::{Edge, sample};
 use parallax_shared::shading::{bounce, fresnel, phong};
+use parallax_tests::gpu::{Driver, open};
 use parallax_tests::stage::{Stage, Stages, light, quad, sphere, triangle, white};
 
 const SIDE: u32 = 48;
@@ -540,4 +541,34 @@ fn an_empty_scene_is_sky() {
         assert_close(colour(&stages, pixel), sky(&stage, direction(&stage.view, pixel)), 1e-6, "sky");
         assert!(math::is_finite(stages.surfaces[pixel].disparity));
     }
+}
+
+/// Every stage of a scene with every effect and two words of lights has the CPU's bits on both drivers; and so has a scene with few effects.
+#[test]
+fn the_passes_give_the_cpus_bits_on_devices() {
+    let mut full = everything();
+    full.lights = (0..33).map(|i| light([i as f32 - 16.0, 4.0, 0.5], [0.02; 3])).collect();
+    for driver in Driver::SOFTWARE {
+        let Some(mut gpu) = open(driver, Profile::Strict) else { continue };
+        for (stage, effects) in [(&full, Effects::ALL), (&floor(mirror()), floor(mirror()).effects())] {
+            let want = stage.render_with(&mut Cpu::new(1).unwrap(), effects).unwrap();
+            let got = stage.render_with(&mut gpu, effects).unwrap();
+            let what = format!("{driver:?}, {effects:?}");
+            assert_same(&got.hits, &want.hits, &what);
+            assert_same(&got.surfaces, &want.surfaces, &what);
+            assert_same(&got.seen, &want.seen, &what);
+            assert_same(&got.local, &want.local, &what);
+            assert_same(&got.colours, &want.colours, &what);
+            (0..3).for_each(|i| assert_same(&got.counts[i], &want.counts[i], &what));
+        }
+    }
+}
+
+fn assert_same<T: bytemuck::Pod + std::fmt::Debug>(got: &[T], want: &[T], what: &str) {
+    let bits = |values: &[T]| bytemuck::cast_slice::<T, u32>(values).to_vec();
+    let differing = (0..want.len()).find(|&i| bits(&got[i..=i]) != bits(&want[i..=i]));
+    if let Some(i) = differing {
+        panic!("{what}: element {i} is {:?} instead of {:?}", got[i], want[i]);
+    }
+    assert_eq!(got.len(), want.len(), "{what}");
 }
