@@ -44,8 +44,8 @@ pub fn is_of_integers(case: &Case) -> bool {
         "local_arrays",
         "tables",
         "large_records",
-        "uniform",
-        "push",
+        "uniform_buffer",
+        "push_constant",
         "outputs",
         "specialised",
         "aligned_records",
@@ -109,8 +109,8 @@ fn sources(native: &mut Native) -> anyhow::Result<Vec<Case>> {
     let (sums, products) = (native.create(100)?, native.create(70)?);
     let (records, out) = (native.upload(&[[0.0f32; 3]; 11])?, native.create(4)?);
     Ok(vec![
-        native.case(&bindings::Uniform { shared, words, out: first }, [5, 1, 1])?,
-        native.case(&bindings::Push { shared, words, out: second }, [5, 1, 1])?,
+        native.case(&bindings::UniformBuffer { shared, words, out: first }, [5, 1, 1])?,
+        native.case(&bindings::PushConstant { shared, words, out: second }, [5, 1, 1])?,
         native.case(&bindings::Outputs { sums, words, products }, [4, 1, 1])?,
         native.case(&bindings::Lengths { words, records, out }, [1, 1, 1])?,
     ])

@@ -29,6 +29,12 @@ use glam::UVec3;
 use kernel_api::device::mul_high;
 use kernel_api::{At, Out, spirv};
 
+/// The bits, without the sign of a zero.
+#[inline(always)]
+fn bits(x: f32) -> u32 {
+    if x.to_bits() << 1 == 0 { 0 } else { x.to_bits() }
+}
+
 /// Keeps a number away from all that is special.
 #[inline(always)]
 fn tame(x: f32) -> f32 {

@@ -60,7 +60,7 @@ impl Generator {
             0 => format!("({x} as u32)"),
             1 => format!("({x} as i32 as u32)"),
             // Of a variable, since the result of an operation may be NaN.
-            _ => format!("{}.to_bits()", self.pick(&self.floats.clone())),
+            _ => format!("bits({})", self.pick(&self.floats.clone())),
         }
     }
 

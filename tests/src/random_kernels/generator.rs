@@ -5,7 +5,7 @@ use std::fmt::Write;
 
 /// The source of kernel `k_SEED` and of the functions that only it calls.
 ///
-/// Besides `kernel_api` it needs the function `tame` of [`super::Batch`]'s crate.
+/// Besides `kernel_api` it needs the functions `tame` and `bits` of [`super::Batch`]'s crate.
 pub fn kernel(seed: u32) -> String {
     let mut generator = Generator::new(seed);
     let helpers = 1 + generator.numbers.below(2);
@@ -102,7 +102,7 @@ impl Generator {
         self.line("let (mut a, mut b, mut x) = (a, b, x);");
         self.integers = vec!["a".into(), "b".into()];
         self.floats = vec!["x".into()];
-        self.result = "a ^ b.rotate_left(9) ^ x.to_bits()".into();
+        self.result = "a ^ b.rotate_left(9) ^ bits(x)".into();
         (self.loops, self.budget) = (1, 8);
         let count = 3 + self.numbers.below(3);
         self.statements(count, 2);
@@ -124,9 +124,10 @@ impl Generator {
         self.counters = vec!["i".into()];
         self.floats = vec!["x".into(), "y".into()];
         self.memory = true;
-        self.result = "[a, b ^ c.rotate_left(13), own.at(a & 7) ^ own.at(3u32), x.to_bits() ^ y.to_bits().rotate_left(7) ^ \
-                       row.at(b & 3).to_bits()]"
-            .into();
+        self.result =
+            "[a, b ^ c.rotate_left(13), own.at(a & 7) ^ own.at(3u32), bits(x) ^ bits(y).rotate_left(7) ^ \
+                       bits(row.at(b & 3))]"
+                .into();
         (self.loops, self.budget) = (4, 10 + self.numbers.below(20));
         let count = 6 + self.numbers.below(7);
         self.statements(count, 3);

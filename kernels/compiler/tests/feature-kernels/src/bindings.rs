@@ -28,7 +28,7 @@ fn mix(shared: &Shared, i: u32, words: &[u32]) -> u32 {
 
 /// A uniform buffer.
 #[spirv(compute(threads(64)))]
-pub fn uniform(
+pub fn uniform_buffer(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] shared: &Shared,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] words: &[u32],
@@ -42,7 +42,7 @@ pub fn uniform(
 
 /// A push constant.
 #[spirv(compute(threads(64)))]
-pub fn push(
+pub fn push_constant(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(push_constant)] shared: &Shared,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] words: &[u32],

@@ -61,7 +61,7 @@ fn counted(i: u32, words: &[u32]) -> u32 {
         (a as u16).leading_zeros(),
         (a as u8).count_zeros(),
     ];
-    let counts = counts.iter().chain(&ends).fold(0u32, |sum, count| sum * 34 + count % 34 + (count / 34));
+    let counts = counts.iter().chain(&ends).fold(0u32, |sum, count| sum.rotate_left(5) ^ count);
     counts ^ a.reverse_bits() ^ b.swap_bytes() ^ (a as u16).swap_bytes() as u32
 }
 
