@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 for success, 1 for a difference between backends or a failed render, 2 for bad usage or a bad scene.
 
+mod bench;
 mod devices;
 mod diff;
 mod failure;
@@ -47,6 +48,8 @@ enum Command {
     Devices(devices::Options),
     /// Tell what is in a scene, without rendering it.
     Info(info::Options),
+    /// Measure parts of Parallax against other libraries.
+    Bench(bench::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -77,5 +80,6 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Diff(options) => diff::run(&options),
         Command::Devices(options) => devices::run(&options),
         Command::Info(options) => info::run(&options),
+        Command::Bench(options) => bench::run(&options),
     }
 }

@@ -88,8 +88,8 @@ impl DeviceOptions {
     }
 }
 
-/// `800x600`.
-fn size(text: &str) -> Result<[u32; 2], String> {
+/// Parses `800x600`.
+pub fn size(text: &str) -> Result<[u32; 2], String> {
     let parsed = text.split_once(['x', 'X', '×']).and_then(|(w, h)| Some([w.parse().ok()?, h.parse().ok()?]));
     match parsed {
         Some([width, height]) if width > 0 && height > 0 => Ok([width, height]),

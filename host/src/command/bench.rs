@@ -1,0 +1,89 @@
+//! `parallax bench`.
+
+use super::failure::{Blame, Failure};
+use super::locate;
+use super::options::size;
+use super::report::{JsonOption, warn};
+use anyhow::Context;
+use parallax::bench::{self, BenchLine, Case};
+use parallax::scene;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// What is measured when no scene is named, as far as the models are there: the last one ships with the project.
+const SCENES: [&str; 5] = ["dragon", "bunny", "buddha", "sponza", "spot"];
+
+const EXAMPLES: &str = "\
+Examples:
+  parallax bench traversal                     dragon, bunny, buddha and sponza where PARALLAX_MODELS has them, and spot
+  parallax bench traversal dragon --json traversal.jsonl
+  parallax bench traversal model.ply --size 512x512 --repetitions 9";
+
+/// Options of `parallax bench`.
+#[derive(clap::Args)]
+pub struct Options {
+    #[command(subcommand)]
+    what: Measurement,
+}
+
+#[derive(clap::Subcommand)]
+enum Measurement {
+    /// Primary, diffuse and shadow rays per second on one thread, beside other libraries.
+    #[command(after_help = EXAMPLES)]
+    Traversal(Traversal),
+}
+
+#[derive(clap::Args)]
+struct Traversal {
+    /// Scene files, models or names of shipped scenes.
+    #[arg(value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// Picture whose primary rays are traced.
+    #[arg(long, value_name = "WxH", value_parser = size, default_value = "1024x1024")]
+    size: [u32; 2],
+    /// How often everything is run; medians and quartiles are over these.
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    repetitions: u32,
+    #[command(flatten)]
+    json: JsonOption,
+}
+
+/// Runs the command.
+pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    let Measurement::Traversal(options) = &options.what;
+    let measured = bench::Options { size: options.size, repetitions: options.repetitions as usize };
+    let cases = if options.scenes.is_empty() {
+        usual_cases()?
+    } else {
+        options.scenes.iter().map(|path| case(path)).collect::<Result<_, _>>()?
+    };
+    let lines = bench::traversal(&cases, measured).work()?;
+    let text: Vec<_> = lines.iter().map(ToString::to_string).collect();
+    options.json.publish_text(&text.join("\n"), || json_lines(&lines))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// One object per line.
+fn json_lines(lines: &[BenchLine]) -> serde_json::Result<String> {
+    let lines: serde_json::Result<Vec<_>> = lines.iter().map(serde_json::to_string).collect();
+    Ok(lines?.join("\n"))
+}
+
+/// The usual scenes; each that cannot be loaded is warned of.
+fn usual_cases() -> Result<Vec<Case>, Failure> {
+    let mut cases = Vec::new();
+    for name in SCENES {
+        match case(Path::new(name)) {
+            Ok(case) => cases.push(case),
+            Err(Failure::Usage(error)) => warn(&[format!("left out: {error:#}")]),
+            Err(failure) => return Err(failure),
+        }
+    }
+    Ok(cases)
+}
+
+fn case(path: &Path) -> Result<Case, Failure> {
+    let path = locate::scene(Some(path)).usage()?;
+    let scene = scene::load(&path).with_context(|| format!("bad scene {}", path.display())).usage()?;
+    Ok(Case::of(&scene))
+}
