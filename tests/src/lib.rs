@@ -8,4 +8,5 @@ pub mod models;
 pub mod oracle;
 pub mod random_kernels;
 pub mod reference;
+pub mod scenes;
 pub mod stage;

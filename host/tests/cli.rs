@@ -1,0 +1,205 @@
+//! The command as a user sees it: help, exit codes, JSON, and the files it leaves behind.
+
+use exr::prelude::{FlatSamples, Text, read_first_flat_layer_from_file};
+use serde_json::Value;
+use std::path::Path;
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+/// A tetrahedron: the smallest model that has an inside.
+const MODEL: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+/// A folder with the model in it.
+fn folder() -> TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("model.obj"), MODEL).unwrap();
+    folder
+}
+
+/// What the command says and which exit code it has.
+struct Run {
+    code: i32,
+    stdout: String,
+    stderr: String,
+}
+
+/// Runs the command with `arguments` in `folder`.
+fn parallax(folder: &Path, arguments: &[&str]) -> Run {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_parallax"));
+    let Output { status, stdout, stderr } = command.args(arguments).current_dir(folder).output().unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    Run { code: status.code().expect("no signal"), stdout: text(stdout), stderr: text(stderr) }
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
+}
+
+#[track_caller]
+fn assert_refused(run: &Run, code: i32, expected: &str) {
+    assert_eq!(run.code, code, "{}", run.stderr);
+    assert!(run.stderr.contains(expected), "expected `{expected}` in: {}", run.stderr);
+    assert!(!run.stderr.contains("panicked"), "{}", run.stderr);
+}
+
+#[test]
+fn help_is_there_and_has_examples() {
+    let folder = folder();
+    for arguments in [&["--help"][..], &["render", "--help"], &["diff", "--help"], &["bench", "--help"]] {
+        let run = parallax(folder.path(), arguments);
+        assert_eq!(run.code, 0);
+        assert!(run.stdout.contains("Usage: parallax"), "{}", run.stdout);
+    }
+    for arguments in [&["--help"][..], &["render", "--help"], &["diff", "--help"]] {
+        assert!(parallax(folder.path(), arguments).stdout.contains("Examples:"));
+    }
+    assert!(parallax(folder.path(), &["--version"]).stdout.starts_with("parallax "));
+}
+
+#[test]
+fn bad_usage_is_code_2() {
+    let folder = folder();
+    let cases: [(&[&str], &str); 9] = [
+        (&["paint"], "unrecognized subcommand"),
+        (&["render", "--colour"], "unexpected argument"),
+        (&["render", "model.obj", "--backend", "tpu"], "[possible values: auto, cpu, gpu]"),
+        (&["render", "model.obj", "--method", "magic"], "[possible values: naive"),
+        (&["render", "model.obj", "--size", "0x5"], "for example 800x600"),
+        (&["render", "model.obj", "--size", "40000x4"], "a picture of 40000x4 is not supported"),
+        (&["render", "model.obj", "--size", "32768x32768"], "at most 268435456"),
+        (&["render", "model.obj", "--lights", "5000"], "lights are too many"),
+        (&["render", "model.obj", "--interaxial", "-3"], "interaxial distance is -3"),
+    ];
+    for (arguments, expected) in cases {
+        assert_refused(&parallax(folder.path(), arguments), 2, expected);
+    }
+    assert_eq!(names(folder.path()), ["model.obj"]);
+}
+
+#[test]
+fn a_bad_scene_is_code_2() {
+    let folder = folder();
+    std::fs::write(folder.path().join("broken.toml"), "this is = not [a scene").unwrap();
+    std::fs::write(folder.path().join("model.xyz"), MODEL).unwrap();
+    for (scene, expected) in
+        [("nowhere.toml", "no such file"), ("broken.toml", "broken.toml"), ("model.xyz", "model.xyz")]
+    {
+        for command in ["render", "info", "diff"] {
+            assert_refused(&parallax(folder.path(), &[command, scene]), 2, expected);
+        }
+    }
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn rendering_writes_what_it_says() {
+    let folder = folder();
+    let arguments = ["render", "model.obj", "--size", "32x24", "--out", "a", "--backend", "cpu", "--aov"];
+    let run = parallax(folder.path(), &[&arguments[..], &["--json", "report.json"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let files =
+        ["model.exr", "model_anaglyph.png", "model_left.png", "model_right.png", "model_side-by-side.png"];
+    assert_eq!(names(&folder.path().join("a")), files);
+
+    let report = json(&std::fs::read_to_string(folder.path().join("report.json")).unwrap());
+    assert_eq!((&report["width"], &report["height"]), (&32.into(), &24.into()));
+    assert_eq!((report["profile"].as_str(), report["method"].as_str()), (Some("strict"), Some("naive")));
+    assert!(report["backend"].as_str().unwrap().starts_with("CPU"));
+    assert_eq!(report["rays"]["primary"], 2 * 32 * 24);
+    assert_eq!(report["files"].as_array().unwrap().len(), files.len());
+    let stages = report["stages"].as_array().unwrap();
+    for (view, stage) in [(Value::Null, "load"), ("left".into(), "primary"), ("right".into(), "shade")] {
+        let of_stage = |time: &&Value| time["view"] == view && time["stage"] == stage;
+        assert!(stages.iter().find(of_stage).unwrap()["seconds"].as_f64().unwrap() >= 0.0);
+    }
+    for file in files {
+        assert!(run.stdout.contains(file), "{}", run.stdout);
+    }
+    assert!(run.stdout.contains("1,536"), "the number of rays is told: {}", run.stdout);
+}
+
+#[test]
+fn pictures_can_be_read_back() {
+    let folder = folder();
+    let run = parallax(folder.path(), &["render", "model.obj", "--size", "32x24", "--aov", "--out", "."]);
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let read = |name: &str| image::open(folder.path().join(name)).unwrap().to_rgb8();
+    let (left, right, both) =
+        (read("model_left.png"), read("model_right.png"), read("model_side-by-side.png"));
+    assert_eq!((left.dimensions(), both.dimensions()), ((32, 24), (64, 24)));
+    assert_eq!(
+        (both.get_pixel(16, 12), both.get_pixel(48, 12)),
+        (left.get_pixel(16, 12), right.get_pixel(16, 12))
+    );
+    assert_ne!(left, right, "the eyes see the same");
+
+    let layer = read_first_flat_layer_from_file(folder.path().join("model.exr")).unwrap().layer_data;
+    assert_eq!(layer.attributes.multi_view_names, Some(vec![Text::from("left"), Text::from("right")]));
+    let channels = layer.channel_data.list;
+    let samples = |name: &str| &channels.iter().find(|c| c.name.eq(name)).expect(name).sample_data;
+    for name in ["R", "right.B", "t", "right.disparity", "normal.left.Z"] {
+        assert!(matches!(samples(name), FlatSamples::F32(values) if values.len() == 32 * 24), "{name}");
+    }
+    let FlatSamples::U32(primitives) = samples("right.prim_id") else { panic!("prim_id is a UINT channel") };
+    assert!(primitives.contains(&u32::MAX) && primitives.iter().any(|id| *id < 4));
+}
+
+#[test]
+fn json_on_stdout_comes_alone() {
+    let folder = folder();
+    let size = ["--size", "16x12"];
+    let info = parallax(folder.path(), &[&["info", "model.obj", "--json", "-"][..], &size].concat());
+    let report = json(&info.stdout);
+    assert_eq!(report["contents"]["triangles"], 4);
+    assert_eq!(report["camera"]["left"]["world_to_view"].as_array().unwrap().len(), 4);
+    assert!(report["bvh"]["nodes"].as_u64().unwrap() >= 1);
+
+    let render = parallax(folder.path(), &[&["render", "model.obj", "--json", "-"][..], &size].concat());
+    assert_eq!(json(&render.stdout)["width"], 16);
+    let devices = json(&parallax(folder.path(), &["devices", "--json", "-"]).stdout);
+    assert!(devices["adapters"].is_array() && devices["used"].is_string());
+}
+
+#[test]
+fn a_render_that_fails_leaves_nothing_half_written() {
+    let folder = folder();
+    let render =
+        |out: &str| parallax(folder.path(), &["render", "model.obj", "--size", "16x12", "--out", out]);
+    // A file where the folder should be, and a folder where a file should be.
+    assert_refused(&render("model.obj"), 1, "cannot make the folder");
+    std::fs::create_dir_all(folder.path().join("a/model_left.png/x")).unwrap();
+    assert_refused(&render("a"), 1, "cannot replace");
+    assert_eq!(names(&folder.path().join("a")), ["model_left.png"]);
+    assert_eq!(std::fs::read_to_string(folder.path().join("model.obj")).unwrap(), MODEL);
+}
+
+#[test]
+fn an_adapter_that_does_not_exist_is_code_1() {
+    let folder = folder();
+    let run =
+        parallax(folder.path(), &["render", "model.obj", "--backend", "gpu", "--adapter", "no such thing"]);
+    assert_eq!(run.code, 1, "{}", run.stderr);
+    assert!(run.stderr.starts_with("error: "), "{}", run.stderr);
+    assert!(!folder.path().join("out").exists());
+}
+
+#[test]
+fn a_broken_guide_is_a_warning() {
+    let folder = folder();
+    let run = |interaxial: &str| {
+        let size = ["--size", "32x24", "--interaxial", interaxial, "--json", "-"];
+        parallax(folder.path(), &[&["info", "model.obj"][..], &size].concat())
+    };
+    let wide = run("16");
+    assert_eq!(wide.code, 0);
+    assert!(wide.stderr.starts_with("warning: "), "{}", wide.stderr);
+    assert_eq!(json(&wide.stdout)["warnings"].as_array().unwrap().len(), 1);
+    assert_eq!(run("1").stderr, "");
+}
