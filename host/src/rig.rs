@@ -1,15 +1,17 @@
-//! The off-axis stereo rig (Al-Hagri 2012, §2.3.2; Adelson and Hodges 1993): two eyes that look the same way, each through the same window
-//! in one common plane.
+//! The off-axis stereo rig (Al-Hagri 2012, §2.3.2; Adelson and Hodges 1993): two eyes that look the same way,
+//! each through the same window in one common plane.
 //!
-//! With the picture plane at distance d, W world units wide and w pixels across, a pixel is s = W/w wide. The eyes stand e·s apart (e in
-//! pixels), e·s/2 to either side of the point between them, and both see the window around the axis through that point. From similar
-//! triangles, a point at depth z behind the plane is seen at x_left = (x·d − z·e/2) / (d + z) and x_right = (x·d + z·e/2) / (d + z) (001
-//! eq. (3) and (5); 000 eq. (2) and (4) have lost the factor d), so x_right − x_left = e·z / (d + z), in pixels.
+//! With the picture plane at distance d, W world units wide and w pixels across, a pixel is s = W/w wide. The
+//! eyes stand e·s apart (e in pixels), e·s/2 to either side of the point between them, and both see the
+//! window around the axis through that point. From similar triangles, a point at depth z behind the plane is
+//! seen at x_left = (x·d − z·e/2) / (d + z) and x_right = (x·d + z·e/2) / (d + z) (001 eq. (3) and (5); 000
+//! eq. (2) and (4) have lost the factor d), so x_right − x_left = e·z / (d + z), in pixels.
 
 use parallax_shared::layout::View;
 use thiserror::Error;
 
-/// Width in metres of the display that the guide of eq. (12) is checked for unless another one is named: 24 inches, 16:9.
+/// Width in metres of the display that the guide of eq. (12) is checked for unless another one is named: 24
+/// inches, 16:9.
 pub const DISPLAY_WIDTH: f32 = 0.531;
 
 /// Distance in metres between a viewer's eyes, on average (000 §2.3.2).
@@ -101,8 +103,8 @@ struct Frame {
 }
 
 impl StereoRig {
-    /// The left and the right eye's view of a scene that has been scaled by `scale` (a power of two, so that it changes no digit); each
-    /// with the whole picture as its band.
+    /// The left and the right eye's view of a scene that has been scaled by `scale` (a power of two, so that
+    /// it changes no digit); each with the whole picture as its band.
     ///
     /// With e = 0 both are the same, bit for bit, as the view from the point between them.
     ///
@@ -121,8 +123,9 @@ impl StereoRig {
         Ok(views)
     }
 
-    /// The warning of 000 §2.3.2, eq. (12), e / w < e_real / w_display, when this rig breaks it on a display that is `display_width` metres
-    /// wide: points far away would be further apart on it than a viewer's eyes, which cannot diverge.
+    /// The warning of 000 §2.3.2, eq. (12), e / w < e_real / w_display, when this rig breaks it on a display
+    /// that is `display_width` metres wide: points far away would be further apart on it than a viewer's
+    /// eyes, which cannot diverge.
     pub fn guide_warning(&self, display_width: f32) -> Option<String> {
         let (share, allowed) = (self.interaxial_px / self.width as f32, INTEROCULAR / display_width);
         (share >= allowed).then(|| {

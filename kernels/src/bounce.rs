@@ -8,7 +8,8 @@ use parallax_shared::layout::{RayCounts, Record, Row, SceneInfo, Surface, Triang
 use parallax_shared::scene::SceneView;
 use parallax_shared::shading::bounce::light_from;
 
-/// Adds to each pixel's colour (`local`, of the pass `shade`) what its surface reflects and refracts. `counts` has these rays only.
+/// Adds to each pixel's colour (`local`, of the pass `shade`) what its surface reflects and refracts.
+/// `counts` has these rays only.
 #[spirv(compute(threads(8, 8, 1)))]
 pub fn bounce(
     #[spirv(global_invocation_id)] id: UVec3,

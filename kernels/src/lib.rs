@@ -1,5 +1,5 @@
-//! The GPU entry points of Parallax: thin shells around the functions of `parallax-shared`. Each declaration also yields the pass by
-//! which the CPU backend calls the same function (see `kernel-api`).
+//! The GPU entry points of Parallax: thin shells around the functions of `parallax-shared`. Each declaration
+//! also yields the pass by which the CPU backend calls the same function (see `kernel-api`).
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_op_in_unsafe_fn)]
 

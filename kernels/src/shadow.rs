@@ -7,8 +7,8 @@ use parallax_shared::layout::{RayCounts, Record, Row, SceneInfo, Surface, View};
 use parallax_shared::scene::SceneView;
 use parallax_shared::shading::shadow;
 
-/// Traces a ray to each light that a surface faces. Of the pixel's `⌈lights / 32⌉` words (at least one), which follow each other, bit i % 32 of
-/// word i / 32 is set when light i is seen.
+/// Traces a ray to each light that a surface faces. Of the pixel's `⌈lights / 32⌉` words (at least one),
+/// which follow each other, bit i % 32 of word i / 32 is set when light i is seen.
 #[spirv(compute(threads(8, 8, 1)))]
 pub fn shadow(
     #[spirv(global_invocation_id)] id: UVec3,

@@ -1,5 +1,5 @@
-//! Which effects a scene calls for, as bits: a specialisation constant on a GPU, where the code of what is off disappears, and a value to
-//! branch on for a CPU (DESIGN §5).
+//! Which effects a scene calls for, as bits: a specialisation constant on a GPU, where the code of what is
+//! off disappears, and a value to branch on for a CPU (DESIGN §5).
 
 use crate::layout::{Material, NONE, SceneInfo, Triangle};
 

@@ -1,10 +1,11 @@
-//! Plain data in the form in which both backends read it: little-endian words, `repr(C)`, records that a kernel reads whole aligned to
-//! 16 bytes (the kernel compiler then loads them 128 bits at a time).
+//! Plain data in the form in which both backends read it: little-endian words, `repr(C)`, records that a
+//! kernel reads whole aligned to 16 bytes (the kernel compiler then loads them 128 bits at a time).
 //!
 //! Primitives are numbered through: triangles first, then spheres, then ellipsoids ([`SceneInfo`] has the counts).
 //!
-//! A pass binds few buffers (eight storage buffers must do), so everything that is small lies in one buffer of [`Record`]s, section
-//! after section: spheres, ellipsoids, materials, lights, textures. `scene::SceneView` reads it.
+//! A pass binds few buffers (eight storage buffers must do), so everything that is small lies in one buffer
+//! of [`Record`]s, section after section: spheres, ellipsoids, materials, lights, textures.
+//! `scene::SceneView` reads it.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -55,7 +56,8 @@ pub struct Surface {
     pub prim_id: u32,
     /// Unit geometric normal on the side that the ray came from; zero for a triangle of zero area.
     pub normal: [f32; 3],
-    /// Bound of the distance between `position` and the surface as traversal sees it, for the origins of secondary rays.
+    /// Bound of the distance between `position` and the surface as traversal sees it, for the origins of
+    /// secondary rays.
     pub error: f32,
     /// Unit normal for shading, on the same side of the shading surface.
     pub shading_normal: [f32; 3],
@@ -126,8 +128,8 @@ pub struct Ellipsoid {
     pub centre: [f32; 3],
     /// Index into the materials.
     pub material: u32,
-    /// Rows of the matrix that takes the ellipsoid to the unit sphere; the fourth word of each is half the extent of its box along
-    /// x, y, z.
+    /// Rows of the matrix that takes the ellipsoid to the unit sphere; the fourth word of each is half the
+    /// extent of its box along x, y, z.
     pub world_to_unit: [[f32; 4]; 3],
 }
 
@@ -225,7 +227,8 @@ pub struct SceneInfo {
 
 /// One eye's camera and the band of rows that a run renders.
 ///
-/// The direction through the centre of pixel `(x, y)`, not normalised, is `corner + x·step_x + y·step_y`; rows go from top to bottom.
+/// The direction through the centre of pixel `(x, y)`, not normalised, is `corner + x·step_x + y·step_y`;
+/// rows go from top to bottom.
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(16))]
 pub struct View {

@@ -9,4 +9,5 @@ pub mod oracle;
 pub mod random_kernels;
 pub mod reference;
 pub mod scenes;
+pub mod small_scenes;
 pub mod stage;

@@ -1,5 +1,6 @@
-//! An independent ray tracer for comparison: double precision, recursion, every primitive tested, textbook formulas. It shares nothing with what
-//! it checks but the layout of the scene's data and the model that is documented there.
+//! An independent ray tracer for comparison: double precision, recursion, every primitive tested, textbook
+//! formulas. It shares nothing with what it checks but the layout of the scene's data and the model that is
+//! documented there.
 
 use crate::stage::Stage;
 use glam::{DMat3, DVec3};

@@ -109,7 +109,8 @@ pub fn triangle(vertices: [[f32; 3]; 3], material: u32) -> Triangle {
     }
 }
 
-/// The parallelogram `corner`, `corner + a`, `corner + b`, `corner + a + b`, as two triangles; u runs along `a`, v along `b`.
+/// The parallelogram `corner`, `corner + a`, `corner + b`, `corner + a + b`, as two triangles; u runs along
+/// `a`, v along `b`.
 pub fn quad(corner: [f32; 3], a: [f32; 3], b: [f32; 3], material: u32) -> [Triangle; 2] {
     let add = |p: [f32; 3], q: [f32; 3]| [p[0] + q[0], p[1] + q[1], p[2] + q[2]];
     let (right, above) = (add(corner, a), add(corner, b));

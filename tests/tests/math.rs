@@ -1,4 +1,5 @@
-//! The arithmetic of `shared::math`: corrected division and square root against the hardware's, elementary functions against f64.
+//! The arithmetic of `shared::math`: corrected division and square root against the hardware's, elementary
+//! functions against f64.
 
 use parallax_shared::math::{self, vector};
 
@@ -62,7 +63,8 @@ const HOSTILE: [u32; 24] = [
     0x4b80_0001,
 ];
 
-/// Pairs of four kinds: any bits; denormal or tiny dividends; quotients at the edge of the denormals; few significant bits (ties).
+/// Pairs of four kinds: any bits; denormal or tiny dividends; quotients at the edge of the denormals; few
+/// significant bits (ties).
 fn hostile_pair(random: &mut Random, kind: u64) -> (f32, f32) {
     let (mut a, mut b) = (random.next(), random.next());
     match kind % 4 {

@@ -1,4 +1,5 @@
-//! The passes against an independent brute-force ray tracer in double precision, and ray-quadric intersections against the exact formula.
+//! The passes against an independent brute-force ray tracer in double precision, and ray-quadric
+//! intersections against the exact formula.
 //!
 //! CPU = GPU says nothing about correctness, since both run one source; this does.
 
@@ -200,7 +201,8 @@ fn a_wrong_colour_is_found() {
 /// Roots of the exact quadratic for `ray` and the ellipsoid, from f32 data in f64.
 fn exact_roots(to_unit: DMat3, centre: DVec3, ray: &Ray) -> Option<[f64; 2]> {
     let (o, d) = (DVec3::from(ray.origin.map(f64::from)) - centre, DVec3::from(ray.dir.map(f64::from)));
-    // From the point nearest to the centre, so that f64 keeps digits for the discriminant even at a distance of 10⁸ radii.
+    // From the point nearest to the centre, so that f64 keeps digits for the discriminant even at a distance
+    // of 10⁸ radii.
     let shift = -o.dot(d) / d.dot(d);
     let (u, v) = (to_unit * (o + d * shift), to_unit * d);
     let (a, b) = (v.dot(v), u.dot(v));
@@ -325,7 +327,8 @@ fn ellipsoids_are_hit_where_the_exact_formula_says() {
                     let point = o + d * f64::from(t);
                     let off = (point.length() - 1.0) / (to_unit.transpose() * point.normalize()).length();
                     let want = roots.and_then(|roots| roots.into_iter().find(|root| *root >= 0.0));
-                    // The way along the ray bounds the distance too (the first bound is a tangent's, no good far away).
+                    // The way along the ray bounds the distance too (the first bound is a tangent's, no good
+                    // far away).
                     let along =
                         want.map_or(0.0, |want| (f64::from(t) - want).abs() * f64::from(dir.length()));
                     off_surface = off_surface.max(off.abs().min(along) / (distance + 1.0));

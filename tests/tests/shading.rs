@@ -1,36 +1,12 @@
 //! Scenes whose pictures can be worked out by hand.
 
-use glam::{DVec3, Vec2, Vec3};
-use parallax::backend::{Cpu, Profile};
-use parallax::rig::StereoRig;
+use glam::{DVec3, Vec3};
 use parallax_shared::camera;
-use parallax_shared::effects::Effects;
 use parallax_shared::layout::{BACK, Light, Material, NONE, Texture, View};
 use parallax_shared::math;
-use parallax_shared::shading::texture::{Edge, sample};
-use parallax_shared::shading::{bounce, fresnel, phong};
-use parallax_tests::gpu::{Driver, open};
+use parallax_shared::shading::bounce;
+use parallax_tests::small_scenes::{SIDE, ball_under_lamp, floor, glass, mirror, picture, render, view};
 use parallax_tests::stage::{Stage, Stages, light, quad, sphere, triangle, white};
-
-const SIDE: u32 = 48;
-
-fn view(eye: [f32; 3], target: [f32; 3]) -> View {
-    let rig = StereoRig {
-        eye,
-        target,
-        up: [0.0, 1.0, 0.01],
-        vertical_fov_deg: 50.0,
-        width: SIDE,
-        height: SIDE,
-        interaxial_px: 0.0,
-        zero_parallax: 4.0,
-    };
-    rig.views(1.0).unwrap()[0]
-}
-
-fn render(stage: &Stage) -> Stages {
-    stage.render(&mut Cpu::new(1).unwrap()).unwrap()
-}
 
 fn colour(stages: &Stages, pixel: usize) -> Vec3 {
     let [red, green, blue, one] = stages.colours[pixel];
@@ -51,24 +27,6 @@ fn sky(stage: &Stage, dir: DVec3) -> DVec3 {
     let (horizon, zenith) =
         (DVec3::from(stage.horizon.map(f64::from)), DVec3::from(stage.zenith.map(f64::from)));
     horizon + (zenith - horizon) * dir.normalize().y.abs()
-}
-
-fn mirror() -> Material {
-    Material { diffuse: 0.0, reflection: 1.0, ..white() }
-}
-
-fn glass() -> Material {
-    Material { diffuse: 0.0, transmission: 1.0, eta: 1.5, ..white() }
-}
-
-/// A floor at y = 0 under a blue sky, and material 0.
-fn floor(material: Material) -> Stage {
-    let mut stage = Stage::new(view([0.0, 2.0, 5.0], [0.0, 0.5, 0.0]));
-    stage.zenith = [0.1, 0.3, 0.9];
-    stage.horizon = [0.9, 0.8, 0.7];
-    stage.materials = vec![material];
-    stage.triangles = quad([-50.0, 0.0, 50.0], [100.0, 0.0, 0.0], [0.0, 0.0, -100.0], 0).to_vec();
-    stage
 }
 
 #[test]
@@ -109,52 +67,8 @@ fn a_mirror_sphere_shows_the_sky_around_it() {
     assert!(seen > 100);
 }
 
-#[test]
-fn fresnels_reflectance_has_its_limits() {
-    for eta in [1.0f32, 1.0001, 1.33, 1.5, 2.4, 1.0 / 1.5, 0.9999, 1e-3, 1e3] {
-        for step in 0..=1000 {
-            let share = fresnel::reflectance(step as f32 / 1000.0, eta);
-            assert!((0.0..=1.0).contains(&share), "{eta} {step}: {share}");
-        }
-        let head_on = ((eta as f64 - 1.0) / (eta as f64 + 1.0)).powi(2);
-        assert!((fresnel::reflectance(1.0, eta) as f64 - head_on).abs() < 1e-6, "{eta}");
-        assert!(fresnel::reflectance(1e-6, eta) > 0.99 || eta == 1.0, "{eta}: grazing light is reflected");
-        assert!(eta != 1.0 || fresnel::reflectance(0.3, eta) < 1e-10, "no surface, no reflection");
-    }
-}
-
-#[test]
-fn light_is_reflected_alike_from_both_sides_and_totally_beyond_the_critical_angle() {
-    for eta in [1.1f32, 1.5, 2.4] {
-        let critical = (1.0 - 1.0 / (eta as f64 * eta as f64)).sqrt() as f32;
-        for step in 1..=1000 {
-            let cos_i = step as f32 / 1000.0;
-            let cos_t = fresnel::refracted_cosine(cos_i, eta).expect("light always enters the denser side");
-            let (out, back) = (fresnel::reflectance(cos_i, eta), fresnel::reflectance(cos_t, 1.0 / eta));
-            // The smaller the cosine, the less of it is left in that of the other side.
-            assert!((out - back).abs() < 2e-6 / cos_i, "{eta} {cos_i}: {out} {back}");
-            if (cos_i - critical).abs() > 1e-4 {
-                let total = fresnel::reflectance(cos_i, 1.0 / eta) == 1.0;
-                assert_eq!(total, cos_i < critical, "{eta} {cos_i}");
-                assert_eq!(fresnel::refracted_cosine(cos_i, 1.0 / eta).is_none(), cos_i < critical);
-            }
-        }
-    }
-}
-
-#[test]
-fn refraction_follows_snell() {
-    for step in 1..100 {
-        let angle = step as f32 * 0.015;
-        let (incident, eta) = (Vec3::new(angle.sin(), -angle.cos(), 0.0), 1.5);
-        let cos_t = fresnel::refracted_cosine(angle.cos(), eta).unwrap();
-        let through = fresnel::refracted(incident, Vec3::Y, angle.cos(), cos_t, eta);
-        assert!((through.x * eta - angle.sin()).abs() < 1e-6 && through.y < 0.0);
-        assert!((through.length() - 1.0).abs() < 1e-6);
-    }
-}
-
-/// Under a sky that is 1 everywhere, what neither absorbs nor shines looks like the sky; what the depth limit cuts off is missing.
+/// Under a sky that is 1 everywhere, what neither absorbs nor shines looks like the sky; what the depth limit
+/// cuts off is missing.
 #[test]
 fn a_closed_furnace_makes_no_light() {
     let mixed = Material { reflection: 0.3, transmission: 0.7, ..glass() };
@@ -173,15 +87,6 @@ fn a_closed_furnace_makes_no_light() {
         let mean = stages.colours.iter().map(|c| c[0]).sum::<f32>() / stages.colours.len() as f32;
         assert!(mean >= least, "{mean}");
     }
-}
-
-/// A lamp straight above a ball above a floor.
-fn ball_under_lamp() -> Stage {
-    let mut stage = floor(Material { ambient: 0.5, ..white() });
-    stage.ambient = [0.2, 0.2, 0.2];
-    stage.spheres = vec![sphere([0.0, 1.0, 0.0], 0.5, 0)];
-    stage.lights = vec![light([0.0, 4.0, 0.0], [0.6; 3])];
-    stage
 }
 
 #[test]
@@ -240,7 +145,8 @@ fn forty_lights_have_two_words() {
     }
 }
 
-/// Any surface whose normal faces a light that nothing covers sees it: no shadow acne, on flat and round things, near and far from the origin.
+/// Any surface whose normal faces a light that nothing covers sees it: no shadow acne, on flat and round
+/// things, near and far from the origin.
 #[test]
 fn nothing_shadows_itself() {
     for offset in [0.0f32, 100.0, 1e4, 1e6] {
@@ -353,64 +259,6 @@ fn a_pane_of_glass_of_the_same_index_is_invisible() {
 }
 
 #[test]
-fn phongs_highlight_is_where_the_light_is_mirrored() {
-    let (normal, light) = (Vec3::Y, Vec3::new(0.6, 0.8, 0.0));
-    assert_eq!(phong::diffuse(normal, light), 0.8);
-    assert_eq!(phong::diffuse(normal, -light), 0.0);
-    let mirrored = Vec3::new(-0.6, 0.8, 0.0);
-    assert!((phong::specular(normal, light, mirrored, 50.0) - 1.0).abs() < 1e-5);
-    let aside = Vec3::new(-0.6 * 0.8 + 0.8 * 0.6, 0.8 * 0.8 + 0.6 * 0.6, 0.0);
-    let cosine = mirrored.dot(aside) as f64;
-    for exponent in [1.0f32, 10.0, 12.5, 80.0] {
-        let want = cosine.powf(exponent as f64);
-        assert!((phong::specular(normal, light, aside, exponent) as f64 - want).abs() < 1e-5);
-    }
-}
-
-/// Three columns, two rows, of different colours.
-fn picture() -> (Texture, Vec<[f32; 4]>) {
-    let texels = (0..6).map(|i| [i as f32, (i * i) as f32, 1.0 - i as f32, 1.0]).collect();
-    (Texture { first: 0, width: 3, height: 2, padding: 0 }, texels)
-}
-
-#[test]
-fn bilinear_filtering_is_exact_at_texels_and_even_between_them() {
-    let (texture, texels) = picture();
-    let at = |u: f32, v: f32, vertical| sample(&texels, &texture, Vec2::new(u, v), vertical).x;
-    for vertical in [Edge::Repeat, Edge::Clamp] {
-        for (row, v) in [(0, 0.75), (1, 0.25)] {
-            for column in 0..3 {
-                let u = (column as f32 + 0.5) / 3.0;
-                assert!((at(u, v, vertical) - (row * 3 + column) as f32).abs() < 1e-5, "{row} {column}");
-            }
-        }
-        assert!((at(1.0 / 3.0, 0.75, vertical) - 0.5).abs() < 1e-5);
-        assert!((at(0.5, 0.5, vertical) - 2.5).abs() < 1e-5);
-    }
-}
-
-#[test]
-fn textures_repeat_and_the_sky_ends_at_its_poles() {
-    let (texture, texels) = picture();
-    let at = |u: f32, v: f32, vertical| sample(&texels, &texture, Vec2::new(u, v), vertical).x;
-    for whole in [-3.0, 1.0, 7.0] {
-        assert!((at(0.3 + whole, 0.6 - whole, Edge::Repeat) - at(0.3, 0.6, Edge::Repeat)).abs() < 1e-4);
-        assert!((at(0.3 + whole, 0.6, Edge::Clamp) - at(0.3, 0.6, Edge::Clamp)).abs() < 1e-4);
-    }
-    assert!((at(0.0, 0.75, Edge::Repeat) - 1.0).abs() < 1e-5, "between the last column and the first");
-    assert!((at(0.5, 1.0, Edge::Repeat) - 2.5).abs() < 1e-5, "between the last row and the first");
-    for v in [0.75, 0.8, 0.9, 1.0, 2.0] {
-        assert!((at(0.5, v, Edge::Clamp) - 1.0).abs() < 1e-5, "above the centre of the first row");
-    }
-    for v in [0.25, 0.1, 0.0, -1.0] {
-        assert!((at(0.5, v, Edge::Clamp) - 4.0).abs() < 1e-5, "below the centre of the last row");
-    }
-    let single = Texture { first: 5, width: 1, height: 1, padding: 0 };
-    assert_eq!(sample(&texels, &single, Vec2::new(0.2, 0.9), Edge::Clamp).x, 5.0);
-    assert_eq!(sample(&texels, &single, Vec2::new(0.2, 0.9), Edge::Repeat).x, 5.0);
-}
-
-#[test]
 fn a_texture_stands_upright_on_a_quad() {
     let (texture, texels) = picture();
     let mut stage = Stage::new(view([0.0, 0.0, 4.0], [0.0, 0.0, 0.0]));
@@ -476,59 +324,6 @@ fn normals_are_interpolated_and_face_the_eye() {
     }
 }
 
-/// One of everything.
-fn everything() -> Stage {
-    let mut stage = ball_under_lamp();
-    let checkered =
-        Material { checker_colour: [0.2; 3], checker_scale: 1.0, specular: 0.5, shininess: 20.0, ..white() };
-    stage.materials = vec![checkered, glass(), Material { reflection: 0.5, texture: 0, ..white() }];
-    (stage.textures, stage.texels) = (vec![picture().0], picture().1);
-    stage.sky_texture = 0;
-    stage.spheres.push(sphere([1.2, 0.6, 1.0], 0.6, 1));
-    stage.ellipsoids = vec![parallax_tests::stage::ellipsoid([-1.3, 0.6, 0.5], [0.8, 0.4, 0.6], 0.5, 2)];
-    stage
-}
-
-#[test]
-fn effects_are_what_the_scene_calls_for() {
-    let stage = everything();
-    let missing = Effects::SMOOTH_NORMALS;
-    assert_eq!(stage.effects().0, Effects::ALL.0 & !missing.0);
-    assert_eq!(floor(mirror()).effects(), Effects::TRIANGLES.with(Effects::REFLECTION));
-    assert_eq!(floor(white()).effects(), Effects::TRIANGLES, "no lights, so nothing is lit");
-    assert_eq!(ball_under_lamp().effects(), Effects::TRIANGLES.with(Effects::SPHERES).with(Effects::LIGHTS));
-    let named = Effects::NAMES.iter().fold(Effects::NONE, |all, (effect, _)| all.with(*effect));
-    assert_eq!(named, Effects::ALL);
-    assert_eq!(Effects::ALL.0, 0x7ff, "the default of the passes' specialisation constant");
-}
-
-#[test]
-fn the_effects_of_a_scene_give_the_picture_of_all_effects() {
-    for stage in [everything(), floor(mirror()), ball_under_lamp(), floor(white())] {
-        let mut cpu = Cpu::new(1).unwrap();
-        let all = stage.render_with(&mut cpu, Effects::ALL).unwrap();
-        let own = stage.render_with(&mut cpu, stage.effects()).unwrap();
-        assert_eq!(
-            bytemuck::cast_slice::<_, u32>(&own.colours),
-            bytemuck::cast_slice::<_, u32>(&all.colours)
-        );
-    }
-}
-
-/// The guard above can fail: without an effect that the scene has, the picture differs.
-#[test]
-fn leaving_an_effect_out_changes_the_picture() {
-    let stage = everything();
-    let mut cpu = Cpu::new(1).unwrap();
-    let full = stage.render(&mut cpu).unwrap().colours;
-    for (effect, name) in Effects::NAMES {
-        if effect != Effects::SMOOTH_NORMALS {
-            let without = stage.render_with(&mut cpu, Effects(Effects::ALL.0 & !effect.0)).unwrap().colours;
-            assert!(without != full, "{name}");
-        }
-    }
-}
-
 #[test]
 fn an_empty_scene_is_sky() {
     let mut stage = Stage::new(view([0.0, 1.0, 3.0], [0.0; 3]));
@@ -541,34 +336,4 @@ fn an_empty_scene_is_sky() {
         assert_close(colour(&stages, pixel), sky(&stage, direction(&stage.view, pixel)), 1e-6, "sky");
         assert!(math::is_finite(stages.surfaces[pixel].disparity));
     }
-}
-
-/// Every stage of a scene with every effect and two words of lights has the CPU's bits on both drivers; and so has a scene with few effects.
-#[test]
-fn the_passes_give_the_cpus_bits_on_devices() {
-    let mut full = everything();
-    full.lights = (0..33).map(|i| light([i as f32 - 16.0, 4.0, 0.5], [0.02; 3])).collect();
-    for driver in Driver::SOFTWARE {
-        let Some(mut gpu) = open(driver, Profile::Strict) else { continue };
-        for (stage, effects) in [(&full, Effects::ALL), (&floor(mirror()), floor(mirror()).effects())] {
-            let want = stage.render_with(&mut Cpu::new(1).unwrap(), effects).unwrap();
-            let got = stage.render_with(&mut gpu, effects).unwrap();
-            let what = format!("{driver:?}, {effects:?}");
-            assert_same(&got.hits, &want.hits, &what);
-            assert_same(&got.surfaces, &want.surfaces, &what);
-            assert_same(&got.seen, &want.seen, &what);
-            assert_same(&got.local, &want.local, &what);
-            assert_same(&got.colours, &want.colours, &what);
-            (0..3).for_each(|i| assert_same(&got.counts[i], &want.counts[i], &what));
-        }
-    }
-}
-
-fn assert_same<T: bytemuck::Pod + std::fmt::Debug>(got: &[T], want: &[T], what: &str) {
-    let bits = |values: &[T]| bytemuck::cast_slice::<T, u32>(values).to_vec();
-    let differing = (0..want.len()).find(|&i| bits(&got[i..=i]) != bits(&want[i..=i]));
-    if let Some(i) = differing {
-        panic!("{what}: element {i} is {:?} instead of {:?}", got[i], want[i]);
-    }
-    assert_eq!(got.len(), want.len(), "{what}");
 }

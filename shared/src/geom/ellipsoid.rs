@@ -49,9 +49,9 @@ pub fn bounds(ellipsoid: &Ellipsoid) -> ([f32; 3], [f32; 3]) {
 /// The smallest `t` ≥ `ray.t_min` at which `ray` meets the ellipsoid, or NaN when there is none; as
 /// [`sphere::intersect`](super::sphere::intersect) in every respect.
 ///
-/// The ray's origin is moved to its nearest point (as seen in unit space) in *world* space, by exact sums and products, and only then
-/// transformed. So the point at `t` is off the ellipsoid by a few ULP of its largest half axis, even if another one is 10⁴ times
-/// smaller.
+/// The ray's origin is moved to its nearest point (as seen in unit space) in *world* space, by exact sums and
+/// products, and only then transformed. So the point at `t` is off the ellipsoid by a few ULP of its largest
+/// half axis, even if another one is 10⁴ times smaller.
 #[inline(always)]
 pub fn intersect(centre: [f32; 3], to_unit: &ToUnit, ray: &Ray, enter: f32, leave: f32) -> f32 {
     let (_, chord) = chord_of(centre, to_unit, ray);

@@ -1,27 +1,30 @@
 //! Spheres.
 //!
-//! The quadratic's coefficients lose everything when a small sphere is far away or a large one near. So the ray's origin is first moved to the
-//! point that is nearest to the centre, by exact sums and products; what is left to solve has the size of the sphere (Haines et al. 2019, *Precision
-//! Improvements for Ray/Sphere Intersection*, has the perpendicular distance too, but from rounded products, whose error grows with the
-//! distance; and, as the roots are ±h around the nearest point here, nothing cancels that its second formula would have to save).
+//! The quadratic's coefficients lose everything when a small sphere is far away or a large one near. So the
+//! ray's origin is first moved to the point that is nearest to the centre, by exact sums and products; what
+//! is left to solve has the size of the sphere (Haines et al. 2019, *Precision Improvements for Ray/Sphere
+//! Intersection*, has the perpendicular distance too, but from rounded products, whose error grows with the
+//! distance; and, as the roots are ±h around the nearest point here, nothing cancels that its second formula
+//! would have to save).
 
 use crate::layout::Ray;
 use crate::math::{self, Offset, PI, max, min, vector};
 use glam::{Vec2, Vec3};
 
-/// The box around a sphere, each plane rounded to nearest. An acceleration structure must use this very box (or a larger one): what
-/// rounding takes from it, the padding of boxes gives back.
+/// The box around a sphere, each plane rounded to nearest. An acceleration structure must use this very box
+/// (or a larger one): what rounding takes from it, the padding of boxes gives back.
 #[inline]
 pub fn bounds(centre: [f32; 3], radius: f32) -> ([f32; 3], [f32; 3]) {
     (centre.map(|c| c - radius), centre.map(|c| c + radius))
 }
 
-/// The smallest `t` ≥ `ray.t_min` at which `ray` meets the sphere, or NaN (of which no comparison holds) when there is none.
+/// The smallest `t` ≥ `ray.t_min` at which `ray` meets the sphere, or NaN (of which no comparison holds) when
+/// there is none.
 ///
 /// `enter` and `leave` bound the ray's way through the sphere's own padded box: `t` is moved into them, and a sphere whose box is
-/// missed (`enter > leave`) is missed, so that no larger box can hide a hit (DESIGN §3.1). The answer depends on ray and sphere
-/// alone. Origins inside see the far side. A tangent ray hits when the perpendicular distance, within 4 ULP, is not above the
-/// radius. `ray.t_max` is left to the caller.
+/// missed (`enter > leave`) is missed, so that no larger box can hide a hit (DESIGN §3.1). The answer depends
+/// on ray and sphere alone. Origins inside see the far side. A tangent ray hits when the perpendicular
+/// distance, within 4 ULP, is not above the radius. `ray.t_max` is left to the caller.
 #[inline(always)]
 pub fn intersect(centre: [f32; 3], radius: f32, ray: &Ray, enter: f32, leave: f32) -> f32 {
     let (_, chord) = chord_of(centre, radius, ray);
@@ -51,7 +54,8 @@ fn chord_of(centre: [f32; 3], radius: f32, ray: &Ray) -> (Vec3, Chord) {
 }
 
 impl Chord {
-    /// The chord in the sphere around the origin of the line `from + t·dir`, whose `t` is counted from `nearest`. `inverse` is 1/|dir|².
+    /// The chord in the sphere around the origin of the line `from + t·dir`, whose `t` is counted from
+    /// `nearest`. `inverse` is 1/|dir|².
     ///
     /// `from` is near the point closest to the centre; taking its component along `dir` off makes the rest orthogonal to rounding.
     #[inline(always)]
@@ -88,8 +92,9 @@ impl Chord {
     }
 }
 
-/// The point at which `ray` hits the sphere at parameter `t`, and the unit normal, outwards. The point lies on the sphere within a few
-/// ULP of |centre| + radius, whatever the distance (of which `t` itself has only 24 bits).
+/// The point at which `ray` hits the sphere at parameter `t`, and the unit normal, outwards. The point lies
+/// on the sphere within a few ULP of |centre| + radius, whatever the distance (of which `t` itself has only
+/// 24 bits).
 #[inline]
 pub fn point_and_normal(centre: [f32; 3], radius: f32, ray: &Ray, t: f32) -> (Vec3, Vec3) {
     let (from, chord) = chord_of(centre, radius, ray);
@@ -97,8 +102,8 @@ pub fn point_and_normal(centre: [f32; 3], radius: f32, ray: &Ray, t: f32) -> (Ve
     (Vec3::from_array(centre) + normal * radius, normal)
 }
 
-/// Texture coordinates of the unit vector `direction`: u runs once around the y axis, from −z over −x (0.25), +z (0.5) and +x (0.75), to
-/// the right as seen from outside; v goes from 0 at −y to 1 at +y.
+/// Texture coordinates of the unit vector `direction`: u runs once around the y axis, from −z over −x (0.25),
+/// +z (0.5) and +x (0.75), to the right as seen from outside; v goes from 0 at −y to 1 at +y.
 #[inline]
 pub fn uv(direction: Vec3) -> Vec2 {
     let around = math::atan2(direction.x, direction.z) * (0.5 / PI) + 0.5;

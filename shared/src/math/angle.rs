@@ -15,9 +15,11 @@ const ATAN: [f32; 9] = [
     0.002_849_889_5,
 ];
 
-/// The angle of the point (`x`, `y`) from the x axis, in −π ..= π, with an absolute error of at most 4·10⁻⁷ (and within 4 ULP for |y| ≤ x).
+/// The angle of the point (`x`, `y`) from the x axis, in −π ..= π, with an absolute error of at most 4·10⁻⁷
+/// (and within 4 ULP for |y| ≤ x).
 ///
-/// 0 at the origin (with the sign of `y`, whatever that of `x`). Angles below 2⁻¹⁰⁰ become zero, so that none is denormal. NaN when either is NaN or both are infinite.
+/// 0 at the origin (with the sign of `y`, whatever that of `x`). Angles below 2⁻¹⁰⁰ become zero, so that none
+/// is denormal. NaN when either is NaN or both are infinite.
 #[inline]
 pub fn atan2(y: f32, x: f32) -> f32 {
     if is_nan(x + y) {

@@ -1,5 +1,5 @@
-//! Correctly rounded division out of any approximate one, by the exact remainder in wrapping 32-bit arithmetic: no f64, no u64, no
-//! fma, and nothing that depends on how a driver rounds or treats denormals.
+//! Correctly rounded division out of any approximate one, by the exact remainder in wrapping 32-bit
+//! arithmetic: no f64, no u64, no fma, and nothing that depends on how a driver rounds or treats denormals.
 
 use super::unpack;
 
@@ -7,8 +7,8 @@ const NAN: u32 = 0x7fc0_0000;
 const INFINITY: u32 = 0x7f80_0000;
 const SIGN: u32 = 0x8000_0000;
 
-/// By how much the first quotient is set too low, in units of the last place: it is then below the true one as long as the
-/// driver's division errs by less, and the remainder stays non-negative and below 2³⁰.
+/// By how much the first quotient is set too low, in units of the last place: it is then below the true one
+/// as long as the driver's division errs by less, and the remainder stays non-negative and below 2³⁰.
 const MARGIN: u32 = 32;
 
 /// `a / b`, correctly rounded, from this machine's own division. What [`div`](super::div) is on a strict device.
@@ -63,7 +63,8 @@ fn divide_mantissas(n: u32, d: u32, approximate: impl Fn(f32, f32) -> f32) -> (u
     }
 }
 
-/// The bits of (`quotient` + `twice_rest` / 2`unit`) · 2^`exponent`, rounded to nearest even; `quotient` in 2²³ .. 2²⁴.
+/// The bits of (`quotient` + `twice_rest` / 2`unit`) · 2^`exponent`, rounded to nearest even; `quotient` in
+/// 2²³ .. 2²⁴.
 #[inline(always)]
 fn round(quotient: u32, exponent: i32, twice_rest: u32, unit: u32) -> u32 {
     let biased = exponent + 150;

@@ -5,8 +5,9 @@
 //! | [`div`], [`sqrt`] | IEEE 754, correctly rounded | corrected by the exact remainder: the same bits | the driver's |
 //! | everything else | built from `+ − ×`, comparisons, conversions and the two above | the same | the same source |
 //!
-//! Two things are not promised: the bits of a NaN (its sign and payload), and results below 2⁻¹²⁶ on a device that flushes
-//! denormals. No function here makes a denormal out of ordinary numbers; those that could end at zero early instead, and say so.
+//! Two things are not promised: the bits of a NaN (its sign and payload), and results below 2⁻¹²⁶ on a device
+//! that flushes denormals. No function here makes a denormal out of ordinary numbers; those that could end at
+//! zero early instead, and say so.
 //!
 //! `cfg` stands in this module alone; algorithms are free of it.
 
@@ -28,9 +29,10 @@ pub const PI: f32 = core::f32::consts::PI;
 
 /// `a / b`, correctly rounded (round to nearest, ties to even).
 ///
-/// As IEEE 754: 0/0 and ∞/∞ are NaN, `x/0` is an infinity with the product of the signs, `x/∞` a zero. Denormal operands and
-/// results are exact too; on a strict device they are computed with integers, so that they survive a driver that flushes them.
-/// In the fast profile of a device this is the driver's division (within 2.5 ULP by Vulkan's rules).
+/// As IEEE 754: 0/0 and ∞/∞ are NaN, `x/0` is an infinity with the product of the signs, `x/∞` a zero.
+/// Denormal operands and results are exact too; on a strict device they are computed with integers, so that
+/// they survive a driver that flushes them. In the fast profile of a device this is the driver's division
+/// (within 2.5 ULP by Vulkan's rules).
 #[inline(always)]
 pub fn div(a: f32, b: f32) -> f32 {
     #[cfg(all(feature = "device", not(feature = "fast")))]
@@ -50,13 +52,15 @@ pub fn sqrt(a: f32) -> f32 {
     return kernel_api::device::native_sqrt(a);
 }
 
-/// The smaller one by comparison and selection: `b` when they are equal (so `min(+0, −0)` is −0) or when either is NaN.
+/// The smaller one by comparison and selection: `b` when they are equal (so `min(+0, −0)` is −0) or when
+/// either is NaN.
 #[inline(always)]
 pub fn min(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
-/// The larger one by comparison and selection: `b` when they are equal (so `max(−0, +0)` is +0) or when either is NaN.
+/// The larger one by comparison and selection: `b` when they are equal (so `max(−0, +0)` is +0) or when
+/// either is NaN.
 #[inline(always)]
 pub fn max(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
@@ -92,8 +96,8 @@ pub fn is_finite(x: f32) -> bool {
     x.to_bits() & 0x7fff_ffff < 0x7f80_0000
 }
 
-/// The largest whole number that is not above `x`. Exact. A zero result is +0; magnitudes from 2²³ on, infinities and NaN are
-/// whole already and stay as they are.
+/// The largest whole number that is not above `x`. Exact. A zero result is +0; magnitudes from 2²³ on,
+/// infinities and NaN are whole already and stay as they are.
 #[inline(always)]
 pub fn floor(x: f32) -> f32 {
     let below = floor_to_int(x) as f32;

@@ -1,5 +1,5 @@
-//! Powers and logarithms to base 2, from `+ − ×` and one division. The coefficients are minimax fits (Remez in 60 digits); the errors
-//! stated are the largest that the tests find.
+//! Powers and logarithms to base 2, from `+ − ×` and one division. The coefficients are minimax fits (Remez
+//! in 60 digits); the errors stated are the largest that the tests find.
 
 use super::{div, floor, is_nan, scale, unpack};
 
@@ -32,7 +32,8 @@ pub fn exp2(x: f32) -> f32 {
     scale(1.0 + rest, whole as i32)
 }
 
-/// log₂ `x` within 3 ULP, denormals included; exact for powers of two. −∞ at ±0, +∞ at +∞, NaN below zero and for NaN.
+/// log₂ `x` within 3 ULP, denormals included; exact for powers of two. −∞ at ±0, +∞ at +∞, NaN below zero and
+/// for NaN.
 #[inline]
 pub fn log2(x: f32) -> f32 {
     let bits = x.to_bits();
@@ -71,8 +72,8 @@ pub fn powi(x: f32, n: u32) -> f32 {
 
 /// `x`^`y` for `x` ≥ 0, with a relative error of at most (2 + 2·|`y` log₂ `x`| + `y`)·2⁻²³, in which `y` counts for whole `y` only.
 ///
-/// Whole `y` from 0 to 65536 go to [`powi`]; the others are `exp2(y · log2(x))`: 0^`y` is 0 for `y` > 0 and +∞ for `y` < 0, NaN for negative `x`,
-/// 0 where the power is below 2⁻¹²⁶, NaN where either is NaN.
+/// Whole `y` from 0 to 65536 go to [`powi`]; the others are `exp2(y · log2(x))`: 0^`y` is 0 for `y` > 0 and
+/// +∞ for `y` < 0, NaN for negative `x`, 0 where the power is below 2⁻¹²⁶, NaN where either is NaN.
 #[inline]
 pub fn pow(x: f32, y: f32) -> f32 {
     if (0.0..=65536.0).contains(&y) && floor(y) == y {

@@ -1,5 +1,6 @@
-//! Vectors, on glam's `Vec3` (whose `+ − ×` and, with `scalar-math`, `dot = (x·x + y·y) + z·z` and `cross` have one order of rounding).
-//! glam's own division, `length`, `normalize`, `min` and `max` are not used: they bypass [`math`](super).
+//! Vectors, on glam's `Vec3` (whose `+ − ×` and, with `scalar-math`, `dot = (x·x + y·y) + z·z` and `cross`
+//! have one order of rounding). glam's own division, `length`, `normalize`, `min` and `max` are not used:
+//! they bypass [`math`](super).
 
 use super::{div, max, sqrt};
 use glam::Vec3;

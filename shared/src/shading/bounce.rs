@@ -9,10 +9,12 @@ use crate::traversal::{closest_hit, occluded};
 use glam::Vec3;
 use kernel_api::Stack;
 
-/// Levels of the tree behind the primary hit, at most; a larger [`max_depth`](crate::layout::SceneInfo::max_depth) counts as this one.
+/// Levels of the tree behind the primary hit, at most; a larger
+/// [`max_depth`](crate::layout::SceneInfo::max_depth) counts as this one.
 pub const MAX_DEPTH: u32 = 15;
 
-/// Room for the rays that wait. Two rays leave a hit and the tree is walked depth first, so no more than one per level waits, and one more.
+/// Room for the rays that wait. Two rays leave a hit and the tree is walked depth first, so no more than one
+/// per level waits, and one more.
 const PENDING: usize = MAX_DEPTH as usize + 1;
 
 /// A ray that would change no component of the pixel by more than this times what it sees is not traced.
@@ -30,12 +32,13 @@ struct Pending {
     depth: u32,
 }
 
-/// What reaches the viewer from `seen`, which a primary ray in direction `dir` (any length) saw, by reflection and refraction, and the rays
-/// that it took. Nothing for a miss.
+/// What reaches the viewer from `seen`, which a primary ray in direction `dir` (any length) saw, by
+/// reflection and refraction, and the rays that it took. Nothing for a miss.
 ///
-/// A material with reflection r and transmission t sends (r + t·F) of what it sees in mirror direction and t·(1 − F) of what it sees through
-/// the surface, F being Fresnel's reflectance: both together r + t, so that no light is made. Where everything is reflected F is 1. A ray on the
-/// last level sees only the surface's own light. What is behind a ray of too little weight (1/1024) counts as black.
+/// A material with reflection r and transmission t sends (r + t·F) of what it sees in mirror direction and
+/// t·(1 − F) of what it sees through the surface, F being Fresnel's reflectance: both together r + t, so that
+/// no light is made. Where everything is reflected F is 1. A ray on the last level sees only the surface's
+/// own light. What is behind a ray of too little weight (1/1024) counts as black.
 #[inline]
 pub fn light_from(scene: &SceneView<'_>, seen: &Surface, dir: Vec3) -> (Vec3, RayCounts) {
     let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
@@ -123,7 +126,8 @@ fn min_depth(max_depth: u32) -> u32 {
     if max_depth < MAX_DEPTH { max_depth } else { MAX_DEPTH }
 }
 
-/// The shading normal if a ray in direction `dir` sees its front and is mirrored to outside of the surface, else the geometric one.
+/// The shading normal if a ray in direction `dir` sees its front and is mirrored to outside of the surface,
+/// else the geometric one.
 #[inline(always)]
 fn facing_normal(seen: &Surface, dir: Vec3) -> Vec3 {
     let (shading, geometric) = (Vec3::from_array(seen.shading_normal), Vec3::from_array(seen.normal));

@@ -1,7 +1,7 @@
 //! Ambient light and point lights.
 //!
-//! As in Whitted's and Phong's models a point light does not fade with distance, and a transparent object casts a full shadow: the
-//! light that it would refract cannot be found by a ray towards the light.
+//! As in Whitted's and Phong's models a point light does not fade with distance, and a transparent object
+//! casts a full shadow: the light that it would refract cannot be found by a ray towards the light.
 
 use super::{phong, surface, texture};
 use crate::effects::Effects;
@@ -31,8 +31,8 @@ pub fn is_lit(material: &Material) -> bool {
     material.diffuse > 0.0 || material.specular > 0.0
 }
 
-/// The ray from `surface` to the light, with the light at `t` = 1, which is not accepted; `None` when the surface turns away from it
-/// (by its geometric or its shading normal), so that no ray is needed.
+/// The ray from `surface` to the light, with the light at `t` = 1, which is not accepted; `None` when the
+/// surface turns away from it (by its geometric or its shading normal), so that no ray is needed.
 #[inline(always)]
 pub fn shadow_ray(surface: &Surface, light: &Light) -> Option<Ray> {
     let position = Vec3::from_array(light.position);
@@ -44,8 +44,9 @@ pub fn shadow_ray(surface: &Surface, light: &Light) -> Option<Ray> {
     (faces & shows).then_some(ray)
 }
 
-/// What `surface` of `material` sends against `dir`, the unit direction of the ray that sees it. `sees` says of light `i` whether the
-/// surface faces it and nothing is between them; it is asked once for each light, in order.
+/// What `surface` of `material` sends against `dir`, the unit direction of the ray that sees it. `sees` says
+/// of light `i` whether the surface faces it and nothing is between them; it is asked once for each light, in
+/// order.
 #[inline(always)]
 pub fn local(
     scene: &SceneView<'_>,

@@ -9,8 +9,9 @@ pub fn diffuse(normal: Vec3, to_light: Vec3) -> f32 {
     max(normal.dot(to_light), 0.0)
 }
 
-/// Phong: the cosine between the unit vector to the viewer and the mirror direction of the light, to the power of `shininess`. All vectors point away
-/// from the surface. 0 to 1 but for rounding; with an exponent of 0 it is 1 everywhere.
+/// Phong: the cosine between the unit vector to the viewer and the mirror direction of the light, to the
+/// power of `shininess`. All vectors point away from the surface. 0 to 1 but for rounding; with an exponent
+/// of 0 it is 1 everywhere.
 #[inline(always)]
 pub fn specular(normal: Vec3, to_light: Vec3, to_viewer: Vec3, shininess: f32) -> f32 {
     let mirrored = -vector::reflect(to_light, normal);

@@ -1,4 +1,5 @@
-//! Direct light of primary hits in two steps, so that the visibility of lights can be had, kept and reused apart from colours.
+//! Direct light of primary hits in two steps, so that the visibility of lights can be had, kept and reused
+//! apart from colours.
 
 use super::{light, sky};
 use crate::effects::Effects;
@@ -14,8 +15,9 @@ pub fn words(lights: u32) -> u32 {
     if lights <= 32 { 1 } else { (lights + 31) >> 5 }
 }
 
-/// Traces a ray from `surface` to each light that it faces. `put` gets every word once, in order, with bit i % 32 of word i / 32 set when light i is seen.
-/// Misses, and materials on which light does not show, see none. Returns the number of rays.
+/// Traces a ray from `surface` to each light that it faces. `put` gets every word once, in order, with bit i
+/// % 32 of word i / 32 set when light i is seen. Misses, and materials on which light does not show, see
+/// none. Returns the number of rays.
 #[inline]
 pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, u32)) -> RayCounts {
     let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
@@ -38,8 +40,8 @@ pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, 
     counts
 }
 
-/// The colour that a primary ray in direction `dir` (any length) sees at `surface`, without reflection and refraction; the sky's colour at
-/// a miss. `seen` gives the words that [`trace`] has put.
+/// The colour that a primary ray in direction `dir` (any length) sees at `surface`, without reflection and
+/// refraction; the sky's colour at a miss. `seen` gives the words that [`trace`] has put.
 #[inline]
 pub fn shade(scene: &SceneView<'_>, surface: &Surface, dir: Vec3, seen: impl Fn(u32) -> u32) -> Vec3 {
     if surface.prim_id == NONE {

@@ -10,8 +10,9 @@ use glam::Vec3;
 
 /// Linear colour of the sky in direction `dir` (any length but zero); y is up.
 ///
-/// An equirectangular map (seen from inside: its middle is at −z, its right half at +x, its top row straight up), or the gradient from
-/// the horizon to the zenith, linear in the height |y| of the unit vector and mirrored below.
+/// An equirectangular map (seen from inside: its middle is at −z, its right half at +x, its top row straight
+/// up), or the gradient from the horizon to the zenith, linear in the height |y| of the unit vector and
+/// mirrored below.
 #[inline]
 pub fn colour(scene: &SceneView<'_>, dir: Vec3) -> Vec3 {
     let dir = vector::normalize(dir);

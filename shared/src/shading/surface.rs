@@ -9,12 +9,14 @@ use crate::scene::SceneView;
 use glam::{Vec2, Vec3};
 use kernel_api::At;
 
-/// Bound of the distance between [`Surface::position`] and the surface that traversal sees, over the sum of the largest coordinate and the
-/// size of the primitive.
+/// Bound of the distance between [`Surface::position`] and the surface that traversal sees, over the sum of
+/// the largest coordinate and the size of the primitive.
 ///
-/// Positions are right within 4 half-ULPs of that sum. Traversal rounds each vertex once when it is moved to the ray's origin and twice when
-/// it is sheared, and the edge functions once more each; seen from a point at the surface that is another 6 half-ULPs of the primitive's size, all along the
-/// ray, which is how the error of `t` shows where the ray grazes the surface. 16 half-ULPs cover both and the rounding of the moved origin.
+/// Positions are right within 4 half-ULPs of that sum. Traversal rounds each vertex once when it is moved to
+/// the ray's origin and twice when it is sheared, and the edge functions once more each; seen from a point at
+/// the surface that is another 6 half-ULPs of the primitive's size, all along the ray, which is how the error
+/// of `t` shows where the ray grazes the surface. 16 half-ULPs cover both and the rounding of the moved
+/// origin.
 const ERROR: f32 = 8.0 * f32::EPSILON;
 
 /// What a primary or secondary ray sees where nothing is.
@@ -45,10 +47,12 @@ struct Point {
     size: f32,
 }
 
-/// What shading needs of `hit`, which must be what traversal found for `ray`. For the disparity, `ray` is taken for a primary ray of a view with this
+/// What shading needs of `hit`, which must be what traversal found for `ray`. For the disparity, `ray` is
+/// taken for a primary ray of a view with this
 /// `interaxial_px`; pass 0 for other rays.
 ///
-/// A function of the ray, the hit and the primitive. Normals face the ray's origin. Degenerate triangles have a zero normal.
+/// A function of the ray, the hit and the primitive. Normals face the ray's origin. Degenerate triangles have
+/// a zero normal.
 #[inline]
 pub fn reconstruct(scene: &SceneView<'_>, ray: &Ray, hit: Hit, interaxial_px: f32) -> Surface {
     let mut surface = nothing(interaxial_px);
@@ -165,12 +169,13 @@ fn on_ellipsoid(scene: &SceneView<'_>, number: u32, ray: &Ray, t: f32) -> Point 
     }
 }
 
-/// The origin of a ray that leaves the surface on the side to which `direction` goes: moved along the geometric normal by the error
-/// bound, so that the ray does not meet the surface that it leaves.
+/// The origin of a ray that leaves the surface on the side to which `direction` goes: moved along the
+/// geometric normal by the error bound, so that the ray does not meet the surface that it leaves.
 ///
-/// Wächter and Binder (*A Fast and Reliable Method for Avoiding Self-Intersection*, 2019) move by a fixed number of ULPs of each
-/// coordinate, which is too little for large triangles near the origin of the world and far too much elsewhere; here the bound of what was really
-/// computed sets the distance (as in Pharr et al., *Physically Based Rendering*, §6.8.6).
+/// Wächter and Binder (*A Fast and Reliable Method for Avoiding Self-Intersection*, 2019) move by a fixed
+/// number of ULPs of each coordinate, which is too little for large triangles near the origin of the world
+/// and far too much elsewhere; here the bound of what was really computed sets the distance (as in Pharr et
+/// al., *Physically Based Rendering*, §6.8.6).
 #[inline(always)]
 pub fn leave(surface: &Surface, direction: Vec3) -> Vec3 {
     let normal = Vec3::from_array(surface.normal);

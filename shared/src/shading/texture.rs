@@ -7,7 +7,8 @@ use crate::scene::SceneView;
 use glam::{Vec2, Vec3};
 use kernel_api::At;
 
-/// How far the checkerboard's pattern is moved, in squares: a face that lies in one of its planes but for rounding then has one colour.
+/// How far the checkerboard's pattern is moved, in squares: a face that lies in one of its planes but for
+/// rounding then has one colour.
 const CHECKER_SHIFT: f32 = 1.0 / 1024.0;
 
 /// What lies beyond the edges of a picture.
@@ -41,8 +42,8 @@ fn is_odd_square(position: Vec3) -> bool {
     (cell(position.x) ^ cell(position.y) ^ cell(position.z)) & 1 == 1
 }
 
-/// The picture at `uv` (v upwards), interpolated bilinearly between the centres of its texels. It repeats to the left and right; `vertical` says
-/// what is above and below.
+/// The picture at `uv` (v upwards), interpolated bilinearly between the centres of its texels. It repeats to
+/// the left and right; `vertical` says what is above and below.
 #[inline]
 pub fn sample(texels: &[[f32; 4]], texture: &Texture, uv: Vec2, vertical: Edge) -> Vec3 {
     let (left, right, across) = neighbours(uv.x, texture.width, Edge::Repeat);
@@ -56,8 +57,8 @@ pub fn sample(texels: &[[f32; 4]], texture: &Texture, uv: Vec2, vertical: Edge) 
     vector::lerp(upper, lower, down)
 }
 
-/// The two of `count` texels between whose centres `position` lies (0 to 1 across all of them), and how far it is from the first to the
-/// second. Both are texels for every number and for NaN.
+/// The two of `count` texels between whose centres `position` lies (0 to 1 across all of them), and how far
+/// it is from the first to the second. Both are texels for every number and for NaN.
 #[inline(always)]
 fn neighbours(position: f32, count: u32, edge: Edge) -> (u32, u32, f32) {
     let last = count as i32 - 1;
