@@ -26,9 +26,9 @@ impl Mesh {
     pub fn bounds(&self) -> (Vector, Vector) {
         let mut bounds = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for vertex in self.triangles.iter().flat_map(|triangle| triangle.vertices) {
-            for axis in 0..3 {
-                bounds.0[axis] = bounds.0[axis].min(vertex[axis]);
-                bounds.1[axis] = bounds.1[axis].max(vertex[axis]);
+            for (axis, coordinate) in vertex.into_iter().enumerate() {
+                bounds.0[axis] = bounds.0[axis].min(coordinate);
+                bounds.1[axis] = bounds.1[axis].max(coordinate);
             }
         }
         bounds
@@ -173,7 +173,7 @@ pub fn rays_from_inside(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
             _ => mix(mix(triangle[0], triangle[1], random.unit()), triangle[2], random.unit()),
         };
         let near = |c: f32, random: &mut Random| c + size * 0.2 * (random.unit() - 0.5);
-        let mut origin = if number % 3 == 0 { centre } else { centre.map(|c| near(c, &mut random)) };
+        let mut origin = if number.is_multiple_of(3) { centre } else { centre.map(|c| near(c, &mut random)) };
         if number % 5 == 4 {
             along_an_axis(&mut origin, target, centre, size);
         }
@@ -200,7 +200,7 @@ pub fn rays_from_outside(mesh: &Mesh, count: usize, seed: u64) -> Vec<Ray> {
     let size = (0..3).fold(0f32, |most, k| most.max(high[k] - low[k]));
     let mut random = Random(seed);
     let mut ray = |number: usize| {
-        let reach = if number % 2 == 0 { 1.5 } else { 0.5 };
+        let reach = if number.is_multiple_of(2) { 1.5 } else { 0.5 };
         let mut origin = centre.map(|c| c + size * reach * (2.0 * random.unit() - 1.0));
         let [a, b, c] = mesh.triangles[random.below(mesh.triangles.len())].vertices;
         let (u, v) = (random.unit(), random.unit());
