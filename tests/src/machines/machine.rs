@@ -9,6 +9,14 @@ use kernel_compiler::ir::Kernel;
 use parallax::backend::gpu::specialise;
 use parallax::backend::{self, Gpu};
 use std::fmt;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// Drivers are opened and used by one test at a time: two of them in one process, opened at once, have crashed.
+static DRIVERS: Mutex<()> = Mutex::new(());
+
+fn alone() -> MutexGuard<'static, ()> {
+    DRIVERS.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Something that runs kernels.
 pub enum Machine {
@@ -43,6 +51,7 @@ impl Machine {
     /// # Panics
     /// When it is required and missing.
     pub fn open(driver: gpu::Driver) -> Option<Machine> {
+        let _alone = alone();
         let gpu = gpu::open(driver, backend::Profile::Strict)?;
         Some(Machine::Driver(driver, Box::new(gpu)))
     }
@@ -64,6 +73,7 @@ impl Machine {
     /// The driver's, or the first difference.
     pub fn check_wgsl(&self, case: &Case, text: &str) -> Result<(), Trouble> {
         let Machine::Driver(_, gpu) = self else { return Ok(()) };
+        let _alone = alone();
         let mut bindings = case.bindings.clone();
         let run = gpu.run_wgsl(text, &case.entry, &case.constants, case.groups, &mut bindings, &case.push);
         run.map_err(|error| Trouble::Machine(error.to_string()))?;
@@ -87,6 +97,7 @@ pub enum Trouble {
 /// # Errors
 /// The driver's, or the first difference.
 pub fn dispatch(gpu: &Gpu, case: &Case, words: &[u32]) -> Result<(), Trouble> {
+    let _alone = alone();
     let words = specialise(words, &case.constants).map_err(|error| Trouble::Machine(error.to_string()))?;
     let mut bindings = case.bindings.clone();
     let run = gpu.run_module(&words, &case.entry, case.threads, case.groups, &mut bindings, &case.push);

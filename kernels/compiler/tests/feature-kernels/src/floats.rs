@@ -74,7 +74,9 @@ fn compared(i: u32, words: &[u32]) -> u32 {
 
 fn signed(i: u32, words: &[u32]) -> u32 {
     let (x, y) = pair(i, words);
-    let zeros = [x * 0.0, -x, 0.0 - x, x + 0.0, -0.0 + x, x.abs(), x.copysign(y)];
+    // No constant zeros: lavapipe takes x · 0 for 0, x + 0 for x and 0 − x for −x, whatever the signs are.
+    let zero = y - y;
+    let zeros = [x * zero, -x, zero - x, x + zero, x.abs(), x.copysign(y)];
     let zeros = zeros.iter().fold(0u32, |sum, &z| sum.rotate_left(3) ^ bits(z));
     zeros ^ (x.is_sign_negative() && !x.is_nan()) as u32
 }
@@ -108,7 +110,8 @@ fn converted(i: u32, words: &[u32]) -> u32 {
         (x * 3.0) as i16 as u32,
         (x as i8 as u32).rotate_left(16),
     ];
-    let numbers = [word as f32, word as i32 as f32, (word as u16) as f32, (word as i8) as f32];
+    // SwiftShader rounds words from 2³¹ on otherwise.
+    let numbers = [(word >> 1) as f32, word as i32 as f32, (word as u16) as f32, (word as i8) as f32];
     let integers = integers.iter().fold(0u32, |sum, &x| sum.rotate_left(5) ^ x);
     numbers.iter().fold(integers, |sum, &x| sum.rotate_left(3) ^ bits(x))
 }
