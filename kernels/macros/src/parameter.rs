@@ -128,6 +128,12 @@ impl Declared {
         Ok((self.set, self.binding.ok_or_else(missing)?))
     }
 
+    fn unknown(&self) -> Error {
+        const KNOWN: &str = "storage_buffer, uniform, push_constant, workgroup, spec_constant(…)";
+        let message = format!("unknown storage class or builtin: known are {KNOWN}, {}", BUILTINS.join(", "));
+        Error::new_spanned(&self.class, message)
+    }
+
     fn kind(self, ty: &Type, number: u32) -> Result<Kind> {
         let class = self.class.to_string();
         Ok(match class.as_str() {
@@ -147,14 +153,7 @@ impl Declared {
                 constant(self.constant.ok_or_else(missing)?, ty)?
             }
             name if BUILTINS.contains(&name) => Kind::Builtin(self.class),
-            _ => {
-                let known = format!(
-                    "unknown storage class or builtin: known are storage_buffer, uniform, push_constant, workgroup, \
-                     spec_constant(…), {}",
-                    BUILTINS.join(", ")
-                );
-                return Err(Error::new_spanned(self.class, known));
-            }
+            _ => return Err(self.unknown()),
         })
     }
 }

@@ -125,32 +125,28 @@ pub fn pass(entry: &Entry, function: &ItemFn) -> TokenStream {
     if entry.parameters.iter().any(|p| matches!(p.kind, Kind::Workgroup { .. })) {
         return TokenStream::new();
     }
-    let name = &function.sig.ident;
-    let visibility = &function.vis;
-    let text = name.unraw().to_string();
-    let (pass, views) = (camel(name), format_ident!("{}Views", camel(name)));
-    let docs: Vec<_> = function.attrs.iter().filter(|a| a.path().is_ident("doc")).collect();
-    let [x, y, z] = entry.threads;
+    let pass = camel(&function.sig.ident);
+    let views = format_ident!("{}Views", pass);
+    let types = types(entry, function, &pass, &views);
+    let implementation = implementation(entry, function, &pass, &views);
+    quote! {
+        #types
+        #implementation
+    }
+}
 
-    let filled: Vec<_> = entry.parameters.iter().filter_map(|p| field(p).map(|f| (&p.name, f))).collect();
-    let fields = filled.iter().map(|(name, ty)| {
-        let doc = format!("The argument `{name}` of [`{text}`].");
+/// The arguments of a run, and what an invocation sees of them.
+fn types(entry: &Entry, function: &ItemFn, pass: &Ident, views: &Ident) -> TokenStream {
+    let visibility = &function.vis;
+    let docs = function.attrs.iter().filter(|a| a.path().is_ident("doc"));
+    let filled = entry.parameters.iter().filter_map(|p| field(p).map(|ty| (&p.name, ty)));
+    let fields = filled.map(|(name, ty)| {
+        let doc = format!("The argument `{name}` of [`{}`].", function.sig.ident.unraw());
         quote!(#[doc = #doc] pub #name: #ty)
     });
-    let view_fields = entry.parameters.iter().filter_map(|p| view(p).map(|v| (&p.name, v)));
-    let view_fields = view_fields.map(|(name, ty)| quote!(#name: #ty));
-    let made = entry.parameters.iter().filter_map(|p| make_view(p).map(|v| (&p.name, v)));
-    let made = made.map(|(name, value)| quote!(#name: #value));
-    let bindings = entry.parameters.iter().filter_map(binding);
-    let mut number = 0;
-    let binds = entry.parameters.iter().filter_map(|p| {
-        let text = bind(p, number);
-        number += binding(p).is_some() as usize;
-        text
-    });
-    let arguments = entry.parameters.iter().map(|p| cpu_argument(p, entry.threads));
+    let seen = entry.parameters.iter().filter_map(|p| view(p).map(|ty| (&p.name, ty)));
+    let seen = seen.map(|(name, ty)| quote!(#name: #ty));
     let views_doc = format!("What one invocation of [`{pass}`] can see, on the CPU.");
-
     quote! {
         #(#docs)*
         #[derive(Clone, Copy)]
@@ -160,8 +156,25 @@ pub fn pass(entry: &Entry, function: &ItemFn) -> TokenStream {
         #[doc = #views_doc]
         #[derive(Clone, Copy)]
         #[cfg(not(target_arch = "spirv"))]
-        #visibility struct #views<'v> { #(#view_fields,)* life: ::core::marker::PhantomData<&'v ()> }
+        #visibility struct #views<'v> { #(#seen,)* life: ::core::marker::PhantomData<&'v ()> }
+    }
+}
 
+fn implementation(entry: &Entry, function: &ItemFn, pass: &Ident, views: &Ident) -> TokenStream {
+    let name = &function.sig.ident;
+    let text = name.unraw().to_string();
+    let [x, y, z] = entry.threads;
+    let made = entry.parameters.iter().filter_map(|p| make_view(p).map(|value| (&p.name, value)));
+    let made = made.map(|(name, value)| quote!(#name: #value));
+    let bindings = entry.parameters.iter().filter_map(binding);
+    let mut number = 0;
+    let binds = entry.parameters.iter().filter_map(|p| {
+        let text = bind(p, number);
+        number += binding(p).is_some() as usize;
+        text
+    });
+    let arguments = entry.parameters.iter().map(|p| cpu_argument(p, entry.threads));
+    quote! {
         #[cfg(not(target_arch = "spirv"))]
         impl ::kernel_api::Pass for #pass {
             const NAME: &'static str = #text;

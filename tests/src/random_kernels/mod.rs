@@ -2,9 +2,8 @@
 //!
 //! A kernel has control flow of every kind that Rust has, integer and float arithmetic, local arrays, a table that it reads, results
 //! and atomic cells that it writes. What it computes is the same everywhere by construction: integers wrap, no float is NaN or
-//! denormal, the sign of a zero is not looked at (lavapipe 22.3 loses it somewhere in the kernel of seed 101), every loop ends, and atomic
-//! operations commute. The native program is compiled without most of LLVM's optimisations, so
-//! that it does not share their mistakes with the modules.
+//! denormal, the sign of a zero is not looked at (lavapipe takes x · 0 for 0), every loop ends, and atomic operations commute. The
+//! native program is compiled without most of LLVM's optimisations, so that it does not share their mistakes with the modules.
 
 mod batch;
 mod expressions;
