@@ -1,6 +1,7 @@
 //! Both backends, every stage, both views: the differential contract (DESIGN §4) as a function.
 //!
-//! The picture is rendered band by band on two backends and compared band by band, so that a picture of any size needs the memory of a band.
+//! The picture is rendered band by band on two backends and compared band by band, so that a picture of any
+//! size needs the memory of a band.
 
 use crate::backend::{Backend, Gpu, Profile};
 use crate::compare::{Bound, Difference, Kind, Stage, StageReport, compare};
@@ -26,8 +27,8 @@ pub struct Differential {
     pub stages: Vec<StageReport>,
 }
 
-/// Renders a scene on `reference` and on `gpu` and compares every stage; the bounds are those of the profile of `gpu`. `progress` is
-/// told how many of how many rows are done.
+/// Renders a scene on `reference` and on `gpu` and compares every stage; the bounds are those of the profile
+/// of `gpu`. `progress` is told how many of how many rows are done.
 ///
 /// # Errors
 /// When a backend fails. A difference is none.
@@ -105,8 +106,8 @@ fn bits<const N: usize>(values: [f32; N]) -> [u32; N] {
     values.map(f32::to_bits)
 }
 
-/// Every stage of a band. [`Kind::AnyWord`] is used only where all ones mean something; the other words of the same records tell there whether
-/// anything was written.
+/// Every stage of a band. [`Kind::AnyWord`] is used only where all ones mean something; the other words of
+/// the same records tell there whether anything was written.
 fn words_of(values: &Values) -> Vec<Words> {
     let (hits, surfaces) = (&values.hits, &values.surfaces);
     let rays =

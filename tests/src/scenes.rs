@@ -25,7 +25,8 @@ pub fn name(path: &Path) -> &str {
     path.file_stem().and_then(|stem| stem.to_str()).expect("scenes have plain names")
 }
 
-/// The scene at `size`; `None`, and a line that says so, when its models do not ship with the project and are not there.
+/// The scene at `size`; `None`, and a line that says so, when its models do not ship with the project and are
+/// not there.
 pub fn load_at(path: &Path, size: [u32; 2]) -> Option<Scene> {
     let mut scene = match load(path) {
         Ok(scene) => scene,

@@ -1,5 +1,5 @@
-//! The differential contract (DESIGN §4): strict profile, every stage of both views, bit by bit, on every scene that ships and on the models
-//! that do not.
+//! The differential contract (DESIGN §4): strict profile, every stage of both views, bit by bit, on every
+//! scene that ships and on the models that do not.
 //!
 //! Pictures are small, as a software driver is slower than one thread of the processor that it runs on.
 

@@ -1,8 +1,9 @@
-//! Every scene that ships with all its models against what it looked like when somebody last looked at it and found it good.
+//! Every scene that ships with all its models against what it looked like when somebody last looked at it and
+//! found it good.
 //!
-//! `golden/hashes.json` has the SHA-256 of every stage's bits (strict profile, so they are the same on every machine), `golden/NAME.png`
-//! both views to look at. When a change is meant to change pictures, look at the new ones and bless them:
-//! `PARALLAX_BLESS=1 cargo test -p parallax-tests --test golden`.
+//! `golden/hashes.json` has the SHA-256 of every stage's bits (strict profile, so they are the same on every
+//! machine), `golden/NAME.png` both views to look at. When a change is meant to change pictures, look at the
+//! new ones and bless them: `PARALLAX_BLESS=1 cargo test -p parallax-tests --test golden`.
 
 use parallax::backend::Cpu;
 use parallax::render::band::{Band, EYES};
@@ -47,7 +48,8 @@ fn hashes_of(data: &SceneData) -> BTreeMap<String, String> {
     hashes
 }
 
-/// Writes what the scene looks like now and returns how many pixels differ from the golden picture, if there is one.
+/// Writes what the scene looks like now and returns how many pixels differ from the golden picture, if there
+/// is one.
 fn picture(data: &SceneData, name: &str, path: &Path) -> Option<usize> {
     let frame = render(&mut Cpu::new(0).unwrap(), data, Method::Naive, &mut |_, _| {}).unwrap();
     let golden = image::open(path).ok().map(|image| image.to_rgb8());

@@ -10,12 +10,13 @@ use parallax::scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// What is measured when no scene is named, as far as the models are there: the last one ships with the project.
+/// What is measured when no scene is named, as far as the models are there: the last one ships with the
+/// project.
 const SCENES: [&str; 5] = ["dragon", "bunny", "buddha", "sponza", "spot"];
 
 const EXAMPLES: &str = "\
 Examples:
-  parallax bench traversal                     dragon, bunny, buddha and sponza where PARALLAX_MODELS has them, and spot
+  parallax bench traversal                     spot, and the large models if PARALLAX_MODELS has them
   parallax bench traversal dragon --json traversal.jsonl
   parallax bench traversal model.ply --size 512x512 --repetitions 9";
 
@@ -42,7 +43,8 @@ struct Traversal {
     #[arg(long, value_name = "WxH", value_parser = size, default_value = "1024x1024")]
     size: [u32; 2],
     /// How often everything is run; medians and quartiles are over these.
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, value_name = "N", default_value_t = 5)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     repetitions: u32,
     #[command(flatten)]
     json: JsonOption,

@@ -117,14 +117,15 @@ impl Camera {
 }
 
 impl Eye {
-    /// The view's axes are x to the right, y down and z into the scene, in world units; `scale` is that of the data. A pixel's centre has whole
-    /// coordinates.
+    /// The view's axes are x to the right, y down and z into the scene, in world units; `scale` is that of
+    /// the data. A pixel's centre has whole coordinates.
     fn of(view: &View, scale: f64) -> Self {
         let [right, down, forward] = [view.step_x, view.step_y, view.forward].map(unit);
         let eye = wide(view.eye).map(|c| c / scale);
         let row = |axis: [f64; 3]| [axis[0], axis[1], axis[2], -dot(axis, eye)];
         let world_to_view = [row(right), row(down), row(forward), [0.0, 0.0, 0.0, 1.0]];
-        // A point at view coordinates (X, Y, Z) meets the picture's plane at (X, Y)·d/Z; pixel (0, 0) is at `corner`.
+        // A point at view coordinates (X, Y, Z) meets the picture's plane at (X, Y)·d/Z; pixel (0, 0) is at
+        // `corner`.
         let focal = f64::from(view.distance) / dot(right, wide(view.step_x));
         let centre = [right, down].map(|axis| -dot(axis, wide(view.corner)) / dot(right, wide(view.step_x)));
         let view_to_px = [[focal, 0.0, centre[0], 0.0], [0.0, focal, centre[1], 0.0], [0.0, 0.0, 1.0, 0.0]];

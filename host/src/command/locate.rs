@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 /// The scene that is rendered when none is named.
 const DEFAULT: &str = "default";
 
-/// The file of the scene that a user names: a path, or the name of a shipped scene; the default scene when none is named.
+/// The file of the scene that a user names: a path, or the name of a shipped scene; the default scene when
+/// none is named.
 ///
 /// # Errors
 /// When nothing of that name exists. What the file holds is not looked at.
@@ -24,7 +25,8 @@ pub fn scene(named: Option<&Path>) -> Result<PathBuf> {
     candidates.into_iter().find(|path| path.is_file()).ok_or_else(missing)
 }
 
-/// Folders that may hold the shipped scenes: of the source tree that this was built from, above the executable, and here.
+/// Folders that may hold the shipped scenes: of the source tree that this was built from, above the
+/// executable, and here.
 fn folders() -> Vec<PathBuf> {
     let executable = std::env::current_exe().unwrap_or_default();
     let beside = executable.ancestors().skip(1).map(|folder| folder.join("scenes"));

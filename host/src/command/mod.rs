@@ -1,6 +1,8 @@
-//! The command line. One file per subcommand; each returns a report, which is printed and written as JSON by [`report`].
+//! The command line. One file per subcommand; each returns a report, which is printed and written as JSON by
+//! [`report`].
 //!
-//! Exit codes: 0 for success, 1 for a difference between backends or a failed render, 2 for bad usage or a bad scene.
+//! Exit codes: 0 for success, 1 for a difference between backends or a failed render, 2 for bad usage or a
+//! bad scene.
 
 mod bench;
 mod devices;

@@ -16,7 +16,8 @@ pub struct SceneOptions {
     /// A scene file (.toml), a model (.obj, .ply) or the name of a shipped scene [default: the default scene]
     #[arg(value_name = "SCENE")]
     scene: Option<PathBuf>,
-    /// Size of each picture, for example 800x600; the depth that the scene's interaxial distance gives is kept.
+    /// Size of each picture, for example 800x600; the depth that the scene's interaxial distance gives is
+    /// kept.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
     /// Distance between the eyes in pixels of the zero-parallax plane.

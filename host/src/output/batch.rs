@@ -5,8 +5,8 @@ use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Files being written under temporary names in one folder. [`Batch::commit`] gives them their own names; dropped before that, the
-/// batch removes them.
+/// Files being written under temporary names in one folder. [`Batch::commit`] gives them their own names;
+/// dropped before that, the batch removes them.
 pub struct Batch {
     folder: PathBuf,
     files: Vec<Pending>,
@@ -30,7 +30,8 @@ impl Batch {
     /// Writes the file `name` by means of `encode`, under a temporary name.
     ///
     /// # Errors
-    /// When the file cannot be written, or whatever `encode`, which is also given the file's own path for its errors, says.
+    /// When the file cannot be written, or whatever `encode`, which is also given the file's own path for its
+    /// errors, says.
     pub fn write(
         &mut self,
         name: &str,

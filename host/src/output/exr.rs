@@ -1,12 +1,13 @@
 //! EXR by the multi-view convention (OpenEXR documentation, "Storing Multi-View Images in OpenEXR Files").
 //!
-//! The attribute `multiView` lists the views, `left` first, which makes it the default view: a program that knows nothing of views
-//! sees an ordinary picture. Channels are named `layer.view.channel`; those of the default view that are in no layer go without the
-//! view's name. So there are `R G B` and `right.R right.G right.B`, all 32 bit floats and linear, and with `aov` also:
+//! The attribute `multiView` lists the views, `left` first, which makes it the default view: a program that
+//! knows nothing of views sees an ordinary picture. Channels are named `layer.view.channel`; those of the
+//! default view that are in no layer go without the view's name. So there are `R G B` and `right.R right.G
+//! right.B`, all 32 bit floats and linear, and with `aov` also:
 //!
 //! | channel | type | what |
 //! |---|---|---|
-//! | `t`, `right.t` | float | distance from the eye along the primary ray, in world units; +∞ where nothing is hit |
+//! | `t`, `right.t` | float | way from the eye to the hit in world units; +∞ where nothing is hit |
 //! | `disparity`, `right.disparity` | float | disparity in pixels |
 //! | `normal.left.X` … `normal.right.Z` | float | shading normal, world space; zero where nothing is hit |
 //! | `prim_id`, `right.prim_id` | uint | number of the primitive, 4294967295 where nothing is hit |

@@ -1,7 +1,7 @@
 //! Picture files: PNG for looking at, EXR for everything else.
 //!
-//! All files of a picture are written under temporary names and get their own ones when the last of them is complete, so that an
-//! error leaves nothing half-written behind.
+//! All files of a picture are written under temporary names and get their own ones when the last of them is
+//! complete, so that an error leaves nothing half-written behind.
 
 mod batch;
 mod exr;
@@ -64,11 +64,14 @@ pub enum OutputError {
 
 /// Writes the files of a stereo pair into `folder`, which is made if need be, and returns their paths.
 ///
-/// They are `NAME.exr` (linear, both views; with `aov` also t, normal, disparity and primitive id, see [`mod@self`]) and, by `format`,
-/// `NAME_left.png` and `NAME_right.png`, `NAME_anaglyph.png`, `NAME_side-by-side.png` (8 bit sRGB). Files of these names are replaced.
+/// They are `NAME.exr` (linear, both views; with `aov` also the channels `t`, `disparity`, `prim_id` and the
+/// layer `normal`, named by the multi-view convention) and, by `format`, `NAME_left.png` and
+/// `NAME_right.png`, `NAME_anaglyph.png`, `NAME_side-by-side.png` (8 bit sRGB). Files of these names are
+/// replaced.
 ///
 /// # Errors
-/// When a file cannot be written; then no file has been changed, unless it is the renaming itself that failed.
+/// When a file cannot be written; then no file has been changed, unless it is the renaming itself that
+/// failed.
 pub fn write(
     images: &StereoImages,
     folder: &Path,

@@ -31,14 +31,16 @@ impl Band {
     }
 }
 
-/// What every stage has made of a band: one element per pixel, `width · rows` of them, unless something else is said.
+/// What every stage has made of a band: one element per pixel, `width · rows` of them, unless something else
+/// is said.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
     /// What the primary rays hit.
     pub hits: Vec<Hit>,
     /// What shading knows of those points.
     pub surfaces: Vec<layout::Surface>,
-    /// Bit by bit, which lights are seen; [`shadow_words`](Self::shadow_words) words per pixel, which follow each other.
+    /// Bit by bit, which lights are seen; [`shadow_words`](Self::shadow_words) words per pixel, which follow
+    /// each other.
     pub shadow: Vec<u32>,
     /// Words of [`shadow`](Self::shadow) per pixel.
     pub shadow_words: usize,

@@ -10,7 +10,8 @@ use crate::rig::{MAX_SIDE, RigError};
 pub enum RenderError {
     /// The picture has no pixels, or too many.
     #[error(
-        "a picture of {width}x{height} is not supported: each side has 1 to {MAX_SIDE} pixels, and the whole at most {MAX_PIXELS}"
+        "a picture of {width}x{height} is not supported: each side has 1 to {MAX_SIDE} pixels, \
+         and the whole at most {MAX_PIXELS}"
     )]
     Size {
         /// Columns.

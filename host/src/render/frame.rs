@@ -17,8 +17,8 @@ pub struct Frame {
     pub times: Vec<StageTime>,
 }
 
-/// Renders the scene on `backend`, band by band. `progress` is told after each pass over a band how many of how many rows are done (those of both
-/// views count).
+/// Renders the scene on `backend`, band by band. `progress` is told after each pass over a band how many of
+/// how many rows are done (those of both views count).
 ///
 /// # Errors
 /// When the backend fails or there is not enough memory for the images.
@@ -72,7 +72,8 @@ fn append(image: &mut ViewImages, values: &Values, view: &View, band: Band, scal
     }
 }
 
-/// `t` counts in lengths of the ray's direction, which ends on the zero-parallax plane; this is the way in world units.
+/// `t` counts in lengths of the ray's direction, which ends on the zero-parallax plane; this is the way in
+/// world units.
 fn distance(view: &View, x: u32, y: u32, t: f32, scale: f32) -> f32 {
     let direction = camera::pixel_direction(view, x, y).as_dvec3();
     (f64::from(t) * direction.length() / f64::from(scale)) as f32

@@ -7,7 +7,8 @@ use std::collections::TryReserveError;
 pub struct ViewImages {
     /// Linear colour.
     pub colour: Vec<[f32; 3]>,
-    /// Number of the primitive that the primary ray hits, [`NONE`](parallax_shared::layout::NONE) without a hit.
+    /// Number of the primitive that the primary ray hits, [`NONE`](parallax_shared::layout::NONE) without a
+    /// hit.
     pub prim_id: Vec<u32>,
     /// Distance from the eye along the primary ray, in world units; +∞ without a hit.
     pub t: Vec<f32>,

@@ -1,8 +1,9 @@
 //! From a scene to the images of both eyes: the frame as an ordered list of passes, on whichever backend.
 //!
-//! A [`Scene`](crate::scene::Scene), perhaps changed by [`Overrides`], becomes [`SceneData`] (scaled, with its acceleration structure, packed),
-//! which is uploaded once as [`SceneBuffers`]. [`Renderer`] runs the passes band by band and hands out what every stage has made of
-//! a band; [`render`] puts the bands together to [`StereoImages`].
+//! A [`Scene`](crate::scene::Scene), perhaps changed by [`Overrides`], becomes [`SceneData`] (scaled, with
+//! its acceleration structure, packed), which is uploaded once as [`SceneBuffers`]. [`Renderer`] runs the
+//! passes band by band and hands out what every stage has made of a band; [`render`] puts the bands together
+//! to [`StereoImages`].
 //!
 //! ```no_run
 //! use parallax::backend::{Selection, select};

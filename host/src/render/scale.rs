@@ -1,12 +1,14 @@
 //! The exact power of two by which a scene is scaled before anything is computed (DESIGN §3.1.7).
 //!
-//! It changes no bit of any mantissa, so that what is computed is the same picture; but squares, and the error terms of products, stay far away
-//! from denormals and from overflow, whatever the units of the scene are.
+//! It changes no bit of any mantissa, so that what is computed is the same picture; but squares, and the
+//! error terms of products, stay far away from denormals and from overflow, whatever the units of the scene
+//! are.
 
 use crate::scene::{Ellipsoid, Light, Material, Scene, Sphere, Triangle};
 
-/// The largest coordinate of a scaled scene is in [2⁹, 2¹⁰). With 24 bits of it left for details, fourth powers of the smallest are
-/// above 2⁻⁶⁰, their error terms above 2⁻¹⁰⁸, and eighth powers of the largest below 2⁸⁰.
+/// The largest coordinate of a scaled scene is in [2⁹, 2¹⁰). With 24 bits of it left for details, fourth
+/// powers of the smallest are above 2⁻⁶⁰, their error terms above 2⁻¹⁰⁸, and eighth powers of the largest
+/// below 2⁸⁰.
 const EXPONENT: i32 = 9;
 
 /// The factor for a scene whose largest absolute coordinate is `extent`.

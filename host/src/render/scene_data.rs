@@ -1,4 +1,5 @@
-//! A scene as the passes see it: scaled, with its acceleration structure, packed into the records of `shared::layout`.
+//! A scene as the passes see it: scaled, with its acceleration structure, packed into the records of
+//! `shared::layout`.
 
 use super::RenderError;
 use super::overrides::check_limits;
@@ -10,7 +11,8 @@ use parallax_shared::effects::Effects;
 use parallax_shared::layout::{NONE, Record, Row, SceneInfo, Texture, Triangle, View};
 use rayon::prelude::*;
 
-/// How much farther away than the geometry and the eyes a light may be: beyond this its squared distance could overflow.
+/// How much farther away than the geometry and the eyes a light may be: beyond this its squared distance
+/// could overflow.
 const FARTHEST_LIGHT: f32 = 1e12;
 
 /// Everything that a backend needs of a scene. All coordinates are scaled by [`SceneData::scale`].
@@ -40,7 +42,8 @@ impl SceneData {
     /// Scales and packs `scene` and builds its acceleration structure.
     ///
     /// # Errors
-    /// When the picture is too large, the camera makes no picture, or coordinates are too far apart for 32 bit floats.
+    /// When the picture is too large, the camera makes no picture, or coordinates are too far apart for 32
+    /// bit floats.
     pub fn new(scene: &Scene, quality: Quality) -> Result<Self, RenderError> {
         check_limits(scene)?;
         let extent = scale::extent(scene);

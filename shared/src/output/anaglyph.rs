@@ -1,9 +1,10 @@
-//! Anaglyphs by least squares (Dubois 2001): the picture whose light, behind a red and a cyan filter, comes closest to what the left and
-//! the right view would show without filters.
+//! Anaglyphs by least squares (Dubois 2001): the picture whose light, behind a red and a cyan filter, comes
+//! closest to what the left and the right view would show without filters.
 //!
-//! With `C` the display's primaries in CIE XYZ, `A_L` and `A_R` the same behind the filters, `R = [A_L; A_R]` and `D = diag(C, C)`, the
-//! projection is `(RᵀR)⁻¹RᵀD`, its rows divided by their sums, so that white stays white. Neither depends on the picture, so that
-//! one 3 × 6 matrix is all there is to it. The tests compute it anew from `C`, `A_L` and `A_R`.
+//! With `C` the display's primaries in CIE XYZ, `A_L` and `A_R` the same behind the filters, `R = [A_L; A_R]`
+//! and `D = diag(C, C)`, the projection is `(RᵀR)⁻¹RᵀD`, its rows divided by their sums, so that white stays
+//! white. Neither depends on the picture, so that one 3 × 6 matrix is all there is to it. The tests compute
+//! it anew from `C`, `A_L` and `A_R`.
 
 /// What the left view adds to red, green and blue.
 const LEFT: [[f32; 3]; 3] = [
@@ -19,10 +20,11 @@ const RIGHT: [[f32; 3]; 3] = [
     [-0.072_152_68, -0.112_960_65, 1.226_395_1],
 ];
 
-/// The colour of the red/cyan anaglyph (red for the left eye) where the views have the linear colours `left` and `right`.
+/// The colour of the red/cyan anaglyph (red for the left eye) where the views have the linear colours `left`
+/// and `right`.
 ///
-/// All colours are linear; those given are clamped to [0, 1], which is what a screen can show and what the method is about, and so is
-/// the result. NaN counts as 0. (Dubois 2001, section 3.)
+/// All colours are linear; those given are clamped to [0, 1], which is what a screen can show and what the
+/// method is about, and so is the result. NaN counts as 0. (Dubois 2001, section 3.)
 #[inline]
 pub fn red_cyan(left: [f32; 3], right: [f32; 3]) -> [f32; 3] {
     let (left, right) = (left.map(clamp_to_unit), right.map(clamp_to_unit));
@@ -52,8 +54,8 @@ fn clamp_to_unit(value: f32) -> f32 {
 mod tests {
     use super::*;
 
-    /// CIE XYZ (rows) of the CRT primaries (columns), without a filter and behind the left and the right one: the spectral data of
-    /// Dubois 2001 as Sanders and McAllister 2003 print them.
+    /// CIE XYZ (rows) of the CRT primaries (columns), without a filter and behind the left and the right one:
+    /// the spectral data of Dubois 2001 as Sanders and McAllister 2003 print them.
     const DISPLAY: [[f64; 3]; 3] =
         [[11.6638, 8.3959, 4.65843], [7.10807, 16.6845, 2.45008], [0.527874, 3.79124, 24.0604]];
     const BEHIND_LEFT: [[f64; 3]; 3] = [

@@ -1,7 +1,8 @@
 //! Linear light to the 8 bit values of sRGB (IEC 61966-2-1), correctly rounded and the same everywhere.
 //!
-//! There is no curve but the transfer function: values are clamped to [0, 1]. A power function would have to be the same on every
-//! backend; eight comparisons with the 255 exact limits between neighbouring values are, and they are right besides.
+//! There is no curve but the transfer function: values are clamped to [0, 1]. A power function would have to
+//! be the same on every backend; eight comparisons with the 255 exact limits between neighbouring values are,
+//! and they are right besides.
 
 /// `LIMITS[i - 1]` is the smallest `f32` whose exact sRGB value, times 255, rounds to `i`: at least i − ½.
 #[rustfmt::skip]
@@ -46,7 +47,8 @@ pub fn srgb8(linear: f32) -> u8 {
     let mut low = 0;
     let mut step = 128;
     while step > 0 {
-        // At most 127 + 128 limits are asked for, so the index is in range; `get` keeps the function free of panics.
+        // At most 127 + 128 limits are asked for, so the index is in range; `get` keeps the function free of
+        // panics.
         if LIMITS.get(low + step - 1).is_some_and(|limit| linear >= *limit) {
             low += step;
         }
