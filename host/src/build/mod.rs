@@ -1,7 +1,7 @@
 //! The acceleration structure: a wide BVH in the rows that `parallax_shared::traversal` walks through.
 //!
 //! A binary tree by binned SAH ([`binned`], or obvhs' PLOC for a quick one), improved by obvhs' reinsertion, collapsed to nodes of
-//! eight children by dynamic programming ([`collapse`]), written as rows ([`write`]); [`validate`](Bvh::validate) checks the rows
+//! eight children by dynamic programming ([`collapse`]), written as rows ([`mod@write`]); [`validate`](Bvh::validate) checks the rows
 //! without knowing how they came about.
 
 pub mod binned;
