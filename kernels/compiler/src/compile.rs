@@ -2,9 +2,10 @@
 
 use crate::driver::DriverError;
 use crate::emit::{spirv, wgsl};
-use crate::front::{self, FrontOptions};
-use crate::ir::Kernel;
+use crate::front::{self, Front, FrontOptions};
+use crate::ir::{Kernel, Locations};
 use crate::manifest::Manifest;
+use crate::parse::Problem;
 use crate::refusal::{Reason, Refusal};
 use crate::sources::{Sources, SourcesError};
 use crate::structure::structure;
@@ -154,10 +155,11 @@ pub fn compile_reporting(
     profiles.dedup();
     for profile in profiles {
         report(Progress::Building(profile));
-        let front = front::kernels(&source.dir, &front_options(options, profile, &sources))?;
-        refusals.extend(front.refusals);
-        for kernel in front.kernels {
-            match entry(kernel, profile, options) {
+        let options_of_front = front_options(options, profile, &sources);
+        let Front { kernels, refusals: found, locations } = front::kernels(&source.dir, &options_of_front)?;
+        refusals.extend(found);
+        for kernel in kernels {
+            match entry(kernel, &locations, profile, options) {
                 Ok(entry) => {
                     let (name, bytes) = (entry.name.as_str(), 4 * entry.spirv.len());
                     report(Progress::Kernel { name, profile, bytes });
@@ -188,12 +190,19 @@ fn front_options(options: &Options, profile: Profile, sources: &Sources) -> Fron
 }
 
 /// Structures, checks and emits one kernel; or all that is wrong with it.
-fn entry(kernel: Kernel, profile: Profile, options: &Options) -> Result<Entry, Vec<Refusal>> {
+fn entry(
+    kernel: Kernel,
+    locations: &Locations,
+    profile: Profile,
+    options: &Options,
+) -> Result<Entry, Vec<Refusal>> {
     let name = kernel.name.clone();
-    let refuse = |reason: Reason| Refusal { entry: name.clone(), function: None, place: None, reason };
+    let refuse = |reason: Reason| Refusal::new(&name, reason, None);
     let structured = structure(&kernel).map_err(|reason| vec![refuse(reason)])?;
     let problems = check::problems(&structured, options.wide);
     if !problems.is_empty() {
+        let origin = |location: Option<u32>| locations.origin(location?);
+        let refuse = |problem: Problem| Refusal::new(&name, problem.reason, origin(problem.location));
         return Err(problems.into_iter().map(refuse).collect());
     }
     let spirv_options = spirv::SpirvOptions { contract: profile == Profile::Fast };

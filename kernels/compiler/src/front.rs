@@ -2,7 +2,7 @@
 
 use crate::cleanup::cleanup;
 use crate::driver::{self, DriverError};
-use crate::ir::{Kernel, Op};
+use crate::ir::{Kernel, Locations, Op};
 use crate::lower::{self, ENTRY, lower};
 use crate::parse::{Problem, Unread, parse};
 use crate::refusal::{Reason, Refusal};
@@ -30,6 +30,8 @@ pub struct Front {
     pub kernels: Vec<Kernel>,
     /// All problems of all other kernels, by kernel.
     pub refusals: Vec<Refusal>,
+    /// Where the kernels' instructions come from.
+    pub locations: Locations,
 }
 
 /// Builds the crate in `crate_dir` and lowers its kernels.
@@ -58,30 +60,37 @@ pub fn kernels_of(text: &str, options: &FrontOptions) -> Front {
         match lower(&parsed.module, function, lower::Options { vec4: !options.no_vec4 }) {
             Ok(mut kernel) => {
                 cleanup(&mut kernel);
-                match leftover(&kernel, options.wide) {
-                    None => front.kernels.push(kernel),
-                    Some(Problem { reason, location }) => {
-                        front.refusals.push(Refusal::new(&kernel.name, reason, origin(location)));
-                    }
+                let leftovers = leftovers(&kernel, options.wide, &parsed.module.locations);
+                if leftovers.is_empty() {
+                    front.kernels.push(kernel);
                 }
+                front.refusals.extend(leftovers);
             }
             Err(refusals) => front.refusals.extend(refusals),
         }
     }
     front.kernels.sort_by(|a, b| a.name.cmp(&b.name));
     front.refusals.sort_by(|a, b| a.entry.cmp(&b.entry));
+    front.locations = parsed.module.locations;
     front
 }
 
-/// What no device can do and is still there after clean-up.
-fn leftover(kernel: &Kernel, wide: bool) -> Option<Problem> {
+/// What no device can do and is still there after clean-up: each kind once for each line.
+fn leftovers(kernel: &Kernel, wide: bool, locations: &Locations) -> Vec<Refusal> {
     let function = &kernel.function;
-    function.placed().find_map(|id| {
+    let mut refusals: Vec<Refusal> = Vec::new();
+    for id in function.placed() {
         let reason = match &function[id].op {
             Op::Source(op) => Reason::Unknown(format!("an aggregate or vector that stays whole ({op:?})")),
             _ if !wide && kernel.is_wide(id) => Reason::Wide(function[id].name.to_string()),
-            _ => return None,
+            _ => continue,
         };
-        Some(Problem { reason, location: function[id].location })
-    })
+        let origin = function[id].location.and_then(|at| locations.origin(at));
+        let new = Refusal::new(&kernel.name, reason, origin);
+        let kind = |refusal: &Refusal| (std::mem::discriminant(&refusal.reason), refusal.place.clone());
+        if refusals.iter().all(|old| kind(old) != kind(&new)) {
+            refusals.push(new);
+        }
+    }
+    refusals
 }

@@ -124,7 +124,8 @@ fn what_other_invocations_would_see() {
 fn what_only_some_invocations_reach() {
     let reason = "a barrier stands under a condition that differs between invocations";
     let instead = "reach the barrier on every path, under conditions that are the same for all invocations";
-    refused("divergent_barrier", "", reason, instead);
+    refused("divergent_barrier", "refused_kernels::divergent_barrier", reason, instead);
+    points_at("divergent_barrier", "        barrier!();");
     let reason = "a subgroup operation stands under a condition that differs between invocations";
     refused(
         "divergent_subgroup",

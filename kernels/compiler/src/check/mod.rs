@@ -4,11 +4,11 @@
 mod types;
 mod uniformity;
 
-use crate::refusal::Reason;
+use crate::parse::Problem;
 use crate::structure::Structured;
 
 /// Everything that is wrong with `structured`; `wide` lets 64-bit integers through.
-pub fn problems(structured: &Structured, wide: bool) -> Vec<Reason> {
+pub fn problems(structured: &Structured, wide: bool) -> Vec<Problem> {
     let mut problems = types::problems(&structured.kernel, wide);
     problems.extend(uniformity::problems(structured));
     problems

@@ -1,19 +1,22 @@
 //! The types and operations that reach the emitters.
 
 use crate::ir::{Id, Instruction, Kernel, Op, Type, Value};
+use crate::parse::Problem;
 use crate::refusal::Reason;
 
 /// What no emitter has a form for, each named once by its first value.
-pub fn problems(kernel: &Kernel, wide: bool) -> Vec<Reason> {
-    let mut problems: Vec<Reason> = Vec::new();
+pub fn problems(kernel: &Kernel, wide: bool) -> Vec<Problem> {
+    let mut problems: Vec<Problem> = Vec::new();
     for id in kernel.function.placed() {
         let found = problem(kernel, id, wide);
         let kind = |reason: &Reason| std::mem::discriminant(reason);
-        problems.extend(found.filter(|new| {
-            matches!(new, Reason::Unknown(_)) || problems.iter().all(|old| kind(old) != kind(new))
-        }));
+        let is_new = |new: &Reason| match new {
+            Reason::Unknown(_) => problems.iter().all(|old| old.reason != *new),
+            _ => problems.iter().all(|old| kind(&old.reason) != kind(new)),
+        };
+        let found = found.filter(is_new);
+        problems.extend(found.map(|reason| Problem { reason, location: kernel.function[id].location }));
     }
-    problems.dedup();
     problems
 }
 
@@ -48,6 +51,10 @@ mod tests {
     use crate::ir::{BinaryOp, Terminator};
     use crate::testing::KernelBuilder;
 
+    fn reasons(kernel: &Kernel, wide: bool) -> Vec<Reason> {
+        problems(kernel, wide).into_iter().map(|problem| problem.reason).collect()
+    }
+
     fn kernel(ty: Type, constant: Value) -> Kernel {
         let mut k = KernelBuilder::new(1);
         k.push(0, Op::Binary(BinaryOp::Add, constant.clone(), constant), ty);
@@ -58,15 +65,15 @@ mod tests {
     #[test]
     fn sixty_four_bits_are_refused_unless_asked_for() {
         let wide = kernel(Type::I64, Value::int(64, 1 << 40));
-        assert!(matches!(problems(&wide, false)[..], [Reason::Wide(_)]));
-        assert_eq!(problems(&wide, true), []);
-        assert_eq!(problems(&kernel(Type::I32, Value::u32(1)), false), []);
+        assert!(matches!(reasons(&wide, false)[..], [Reason::Wide(_)]));
+        assert_eq!(reasons(&wide, true), []);
+        assert_eq!(reasons(&kernel(Type::I32, Value::u32(1)), false), []);
     }
 
     #[test]
     fn a_double_and_an_odd_width_are_refused() {
-        assert_eq!(problems(&kernel(Type::F64, Value::F64(0)), true), [Reason::Double]);
-        let odd = &problems(&kernel(Type::Int(17), Value::int(17, 3)), true)[0];
+        assert_eq!(reasons(&kernel(Type::F64, Value::F64(0)), true), [Reason::Double]);
+        let odd = &reasons(&kernel(Type::Int(17), Value::int(17, 3)), true)[0];
         assert!(odd.to_string().contains("Int(17)"), "{odd}");
     }
 }

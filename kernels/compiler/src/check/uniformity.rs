@@ -6,12 +6,13 @@
 //! numbers of rounds.) Barriers and subgroup operations must not stand under divergent control flow.
 
 use crate::ir::{Builtin, Id, Kernel, Op, Space, Value};
+use crate::parse::Problem;
 use crate::refusal::Reason;
 use crate::structure::{Statement, Structured};
 use std::collections::BTreeSet;
 
 /// Says so if a barrier or a subgroup operation stands where not all invocations may come by together.
-pub fn problems(structured: &Structured) -> Vec<Reason> {
+pub fn problems(structured: &Structured) -> Vec<Problem> {
     let mut divergence = Divergence { kernel: &structured.kernel, divergent: BTreeSet::new() };
     let mut known = usize::MAX;
     while known != divergence.divergent.len() {
@@ -77,14 +78,19 @@ impl Divergence<'_> {
         }
     }
 
-    fn find(&self, statements: &[Statement], under: bool, problems: &mut Vec<Reason>) {
+    fn find(&self, statements: &[Statement], under: bool, problems: &mut Vec<Problem>) {
         for statement in statements {
             match statement {
-                Statement::Instruction(id) if under => match &self.kernel.function[*id].op {
-                    Op::Barrier => problems.push(Reason::DivergentBarrier),
-                    Op::Subgroup(..) => problems.push(Reason::DivergentSubgroup),
-                    _ => {}
-                },
+                Statement::Instruction(id) if under => {
+                    let instruction = &self.kernel.function[*id];
+                    let reason = match &instruction.op {
+                        Op::Barrier => Some(Reason::DivergentBarrier),
+                        Op::Subgroup(..) => Some(Reason::DivergentSubgroup),
+                        _ => None,
+                    };
+                    let location = instruction.location;
+                    problems.extend(reason.map(|reason| Problem { reason, location }));
+                }
                 Statement::If { condition, .. } | Statement::Loop { condition, .. } => {
                     let under = under || self.holds(condition);
                     statement.nested().for_each(|inner| self.find(inner, under, problems));
@@ -102,6 +108,11 @@ mod tests {
     use crate::structure::structure;
     use crate::testing::{KernelBuilder, less, word};
 
+    fn reasons(kernel: &Kernel) -> Vec<Reason> {
+        let structured = structure(kernel).unwrap();
+        problems(&structured).into_iter().map(|problem| problem.reason).collect()
+    }
+
     /// `if source < 5 { operation }`.
     fn under_a_condition(source: Op, operation: Op) -> Vec<Reason> {
         let mut k = KernelBuilder::new(3);
@@ -111,7 +122,7 @@ mod tests {
         k.push(1, operation, ty);
         k.end(0, Terminator::Condition(condition, BlockId(1), BlockId(2)));
         k.end(1, Terminator::Branch(BlockId(2))).end(2, Terminator::Return);
-        problems(&structure(&k.build()).unwrap())
+        reasons(&k.build())
     }
 
     #[test]
@@ -142,7 +153,7 @@ mod tests {
         let again = k.push(1, less(next, bound), Type::BOOL);
         k.end(0, Terminator::Branch(BlockId(1)));
         k.end(1, Terminator::Condition(again, BlockId(1), BlockId(2))).end(2, Terminator::Return);
-        problems(&structure(&k.build()).unwrap())
+        reasons(&k.build())
     }
 
     #[test]
@@ -166,6 +177,6 @@ mod tests {
         k.end(1, Terminator::Condition(again, BlockId(1), BlockId(2)));
         k.end(2, Terminator::Condition(few, BlockId(3), BlockId(4)));
         k.end(3, Terminator::Branch(BlockId(4))).end(4, Terminator::Return);
-        assert_eq!(problems(&structure(&k.build()).unwrap()), [Reason::DivergentBarrier]);
+        assert_eq!(reasons(&k.build()), [Reason::DivergentBarrier]);
     }
 }
