@@ -5,6 +5,7 @@ use super::roots::constants;
 use super::{Lowering, Result, Translation};
 use crate::demangle::demangle;
 use crate::ir::{Builtin, CastOp, Function, Id, Module, Op, SourceOp, SubgroupOp, Type, Value};
+use crate::parse::is_known;
 use crate::refusal::{Reason, Refusal};
 use std::sync::Arc;
 
@@ -41,11 +42,10 @@ pub(super) fn refusals(module: &Module, source: &Function, entry: &str) -> Vec<R
 
 /// Why a function cannot be called.
 pub(super) fn refuse(module: &Module, name: &str) -> Option<Reason> {
-    let known = name.starts_with("llvm.") || name.starts_with("__k_");
     if is_panic(name) {
         return Some(Reason::Panic { calls: 1 });
     }
-    if known {
+    if is_known(name) {
         return None;
     }
     Some(if is_allocation(name) {
@@ -82,6 +82,9 @@ impl Lowering<'_> {
     pub(super) fn call(&mut self, id: Id, name: &Arc<str>, arguments: &[Value]) -> Result<Translation> {
         if let Some(shim) = name.strip_prefix("__k_") {
             return self.shim(shim, arguments);
+        }
+        if let ("bcmp", [a, b, length]) = (&**name, arguments) {
+            return self.difference(a, b, length).map(Translation::Value);
         }
         let Some(base) = base_name(name) else {
             return Ok(Translation::Nothing); // refused already

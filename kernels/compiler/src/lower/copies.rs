@@ -1,9 +1,9 @@
-//! Copies and fills of memory, unrolled.
+//! Copies, fills and comparisons of memory, unrolled.
 
 use super::access::cut;
 use super::linear::Linear;
 use super::{Lowering, Result};
-use crate::ir::{Type, Value};
+use crate::ir::{BinaryOp, CastOp, Type, Value};
 use crate::refusal::Reason;
 
 /// The longest copy that is unrolled, in bytes.
@@ -37,6 +37,22 @@ impl Lowering<'_> {
         }
         Ok(())
     }
+
+    /// `bcmp`: zero if the bytes are the same.
+    pub(super) fn difference(&mut self, a: &Value, b: &Value, length: &Value) -> Result<Value> {
+        let bytes = constant_length(length)?;
+        let ((a, a_offset), (b, b_offset)) = (self.single(a)?, self.single(b)?);
+        let mut difference = Value::u32(0);
+        for (at, size) in cut(bytes, |at, n| aligned(&a_offset, at, n) && aligned(&b_offset, at, n)) {
+            let ty = Type::Int(size * 8);
+            let x = self.load(a, &a_offset.plus(at), 1, &ty)?;
+            let y = self.load(b, &b_offset.plus(at), 1, &ty)?;
+            let piece = self.build.binary(BinaryOp::Xor, &x, &y);
+            let piece = self.build.cast(CastOp::ZExt, &piece, Type::I32);
+            difference = self.build.binary(BinaryOp::Or, &difference, &piece);
+        }
+        Ok(difference)
+    }
 }
 
 fn aligned(offset: &Linear, at: u32, bytes: u32) -> bool {
@@ -45,9 +61,9 @@ fn aligned(offset: &Linear, at: u32, bytes: u32) -> bool {
 
 fn constant_length(length: &Value) -> Result<u32> {
     match length.as_int() {
-        None => Err(Reason::Copy("memory of variable length is copied or filled".into())),
+        None => Err(Reason::Copy("memory of variable length is copied, filled or compared".into())),
         Some(bytes) if bytes > LONGEST.into() => Err(Reason::Copy(format!(
-            "{bytes} bytes are copied or filled, more than the {LONGEST} that are unrolled"
+            "{bytes} bytes are copied, filled or compared, more than the {LONGEST} that are unrolled"
         ))),
         Some(bytes) => Ok(bytes as u32),
     }

@@ -11,8 +11,8 @@ use crate::refusal::Reason;
 const CONVENTIONS: [&str; 4] = ["fastcc", "coldcc", "ccc", "cold"];
 
 /// Whether the compiler may know the function: the others need no arguments, they are refused by name.
-pub fn is_known_prefix(callee: &str) -> bool {
-    callee.starts_with("llvm.") || callee.starts_with("__k_")
+pub fn is_known(callee: &str) -> bool {
+    callee.starts_with("llvm.") || callee.starts_with("__k_") || callee == "bcmp"
 }
 
 impl Cursor<'_> {
@@ -27,7 +27,7 @@ impl Cursor<'_> {
             return Err(self.unknown("inline assembly"));
         }
         let callee = self.global().ok_or(Reason::IndirectCall)?;
-        let arguments = if is_known_prefix(&callee) { self.arguments()? } else { vec![] };
+        let arguments = if is_known(&callee) { self.arguments()? } else { vec![] };
         Ok(plain(SourceOp::Call(callee, arguments), ty))
     }
 

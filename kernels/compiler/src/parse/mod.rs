@@ -15,6 +15,7 @@ mod memory;
 mod module;
 mod types;
 
+pub use calls::is_known;
 pub use module::{Parsed, Problem, Unread, parse};
 
 use crate::refusal::Reason;

@@ -131,3 +131,18 @@ fn stores_are_not_merged_across_a_load_of_the_same_buffer() {
     assert_eq!(count(&k, |op| matches!(op, Op::StoreVec4(..))), 0);
     assert_eq!(output(&k, &[0]).0[0], 1);
 }
+
+#[test]
+fn arrays_are_compared_word_by_word() {
+    let k = kernel(
+        "  %p = getelementptr inbounds nuw i32, ptr %in, i64 1
+  %q = getelementptr inbounds nuw i32, ptr %in, i64 4
+  %c = tail call i32 @bcmp(ptr noundef nonnull %p, ptr noundef nonnull %q, i64 10)
+  %z = icmp eq i32 %c, 0
+  %r = zext i1 %z to i32
+  store i32 %r, ptr %out, align 4
+  ret void",
+    );
+    let same = |b: [u32; 3]| output(&k, &[0, 1, 2, 3, b[0], b[1], b[2]]).0[0];
+    assert_eq!([same([1, 2, 3]), same([1, 2, 0x8_0003]), same([1, 2, 4]), same([0, 2, 3])], [1, 1, 0, 0]);
+}

@@ -13,7 +13,7 @@ word_kernels! {
     nested_arrays = nested;
     /// A static table.
     static_table = looked_up;
-    /// Swaps, fills and reversals.
+    /// Swaps, fills, reversals and comparisons.
     whole_arrays = whole;
     /// A queue in a ring.
     ring = queued;
@@ -114,7 +114,10 @@ fn whole(i: u32, words: &[u32]) -> u32 {
     let copy = items;
     items.fill(words.at((i + 2) & 1023) & 0xff);
     items.put(copy.at(0u32) % 6, 77);
-    copy.iter().zip(&items).fold(7u32, |sum, (a, b)| sum.rotate_left(7) ^ a.wrapping_mul(*b))
+    let mut other = copy;
+    other.put(i % 6, copy.at(i % 3));
+    let start = if other == copy { 7 } else { 8 };
+    copy.iter().zip(&items).fold(start, |sum: u32, (a, b)| sum.rotate_left(7) ^ a.wrapping_mul(*b))
 }
 
 fn queued(i: u32, words: &[u32]) -> u32 {
