@@ -23,6 +23,8 @@ pub struct Bounds<'a> {
     source: &'a Function,
     /// Values that flow into addresses.
     indices: HashSet<Id>,
+    /// The instructions that use each value.
+    users: Vec<Vec<Id>>,
 }
 
 /// Whether a constant is a small negative number.
@@ -33,7 +35,15 @@ fn is_negative(value: u128) -> bool {
 impl<'a> Bounds<'a> {
     /// Looks at `source`, a function as it was parsed.
     pub fn new(source: &'a Function) -> Self {
-        let mut bounds = Self { source, indices: HashSet::new() };
+        let mut users = vec![vec![]; source.instructions.len()];
+        for user in source.placed() {
+            source[user].op.for_each_operand(|value| {
+                if let Value::Inst(used) = value {
+                    users[used.index()].push(user);
+                }
+            });
+        }
+        let mut bounds = Self { source, indices: HashSet::new(), users };
         bounds.find_indices();
         bounds
     }
@@ -162,7 +172,7 @@ impl<'a> Bounds<'a> {
             BinaryOp::And => x.min(y),
             BinaryOp::Or | BinaryOp::Xor => (x.max(y) + 1).next_power_of_two() - 1,
             // A constant is taken away: LLVM has seen to it that there is something to take it from, or it is a usize that wraps.
-            BinaryOp::Add if constant.is_some_and(is_small_negative) && x <= WORD => x,
+            BinaryOp::Add if constant.is_some_and(is_small_negative) && x <= WORD && self.is_length(id) => x,
             BinaryOp::Add => x + y,
             BinaryOp::Sub if self.source[id].exact => x,
             BinaryOp::Sub if x <= WORD && y <= WORD && self.is_length(id) => x,
@@ -193,21 +203,27 @@ impl<'a> Bounds<'a> {
         values.map(|value| self.bound(value, depth.min(3))).max().unwrap_or(WIDE)
     }
 
-    /// Whether a difference is only compared, indexed with or handed on: a length.
+    /// Whether a difference is only compared without a sign, indexed with, shortened or handed on to such uses: a length. (What is
+    /// compared with a sign or made a float may be a negative `i64`.)
     fn is_length(&self, id: Id) -> bool {
         use IntPredicate::*;
-        let value = Value::Inst(id);
-        let mut users =
-            self.source.placed().map(|user| &self.source[user].op).filter(|op| op.uses(&value)).peekable();
-        users.peek().is_some()
-            && users.all(|op| {
-                matches!(
-                    op,
+        let (mut open, mut seen) = (vec![id], HashSet::from([id]));
+        while let Some(id) = open.pop() {
+            for &user in &self.users[id.index()] {
+                match &self.source[user].op {
                     Op::IntCompare(Eq | Ne | Ult | Ule | Ugt | Uge, ..)
-                        | Op::Phi(_)
-                        | Op::Source(SourceOp::Element(..))
-                )
-            })
+                    | Op::Source(SourceOp::Element(..))
+                    | Op::Cast(CastOp::Trunc, _) => {}
+                    Op::Phi(_) | Op::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => {
+                        if seen.insert(user) {
+                            open.push(user);
+                        }
+                    }
+                    _ => return false,
+                }
+            }
+        }
+        true
     }
 
     /// A bound of `phi(start, phi + step)` that is compared with something bounded: such a loop is left before its counter wraps,

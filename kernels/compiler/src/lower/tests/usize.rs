@@ -160,3 +160,29 @@ fn a_signed_comparison_of_what_fits_is_unsigned() {
     );
     assert_eq!([0x8000_0000, 6, 5].map(|x| output(&k, &[x]).0[0]), [1, 1, 0]);
 }
+
+/// A word less a constant, as an `i64`, is negative if the word is small.
+#[test]
+fn a_difference_with_a_sign_is_no_length() {
+    let k = kernel(
+        "  %y = getelementptr inbounds nuw i32, ptr %in, i64 1
+  %b = load i32, ptr %y, align 4
+  %a = zext i32 %x to i64
+  %c = zext i32 %b to i64
+  %d = add nsw i64 %a, -5
+  %more = icmp sgt i64 %d, %c
+  %r = zext i1 %more to i32
+  store i32 %r, ptr %out, align 4
+  ret void",
+    );
+    let more = |a, b| output(&k, &[a, b]).0[0];
+    assert_eq!([more(3, 9), more(20, 9), more(u32::MAX, 9), more(3, u32::MAX)], [0, 1, 1, 0]);
+    let float = compile(
+        "  %a = zext i32 %x to i64
+  %d = add nsw i64 %a, -5
+  %f = sitofp i64 %d to float
+  store float %f, ptr %out, align 4
+  ret void",
+    );
+    assert!(matches!(float.refusals[0].reason, Reason::Wide(_)), "{:?}", float.refusals);
+}
