@@ -21,39 +21,19 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p143: f32;
   var p144: f32;
   var p265: f32;
-  var p266: bool;
   var p267: bool;
-  var p295: f32;
   var p302: f32;
   var p328: f32;
   var p329: f32;
   var p330: f32;
-  var p185: f32;
-  var p186: bool;
-  var p187: bool;
-  var p188: bool;
-  var p296: f32;
-  var p297: f32;
-  var p298: f32;
-  var p299: bool;
-  var p300: bool;
-  var p301: bool;
-  var p288: f32;
   var p289: f32;
   var p290: f32;
-  var p291: bool;
   var p292: bool;
   var p293: bool;
-  var p220: f32;
-  var p221: bool;
-  var p190: u32;
   var p191: u32;
   var p192: f32;
   var p193: f32;
   var p194: bool;
-  var p334: u32;
-  var p335: u32;
-  var p336: u32;
   var p337: bool;
   var p397: u32;
   var p398: f32;
@@ -62,34 +42,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p401: u32;
   var p402: u32;
   var p403: u32;
-  var p497: f32;
-  var p498: f32;
-  var p499: f32;
-  var p4900: u32;
-  var p4902: u32;
-  var p4904: u32;
-  var p503: f32;
-  var p504: f32;
-  var p505: f32;
   var p486: f32;
   var p487: f32;
   var p488: f32;
-  var p4906: u32;
-  var p4908: u32;
-  var p4910: u32;
   var p492: f32;
   var p493: f32;
   var p494: f32;
   var p495: bool;
-  var p506: f32;
-  var p507: f32;
-  var p508: f32;
-  var p4912: u32;
-  var p4914: u32;
-  var p4916: u32;
-  var p512: f32;
-  var p513: f32;
-  var p514: f32;
   var p515: f32;
   var p516: f32;
   var p517: f32;
@@ -100,30 +59,22 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p522: f32;
   var p523: f32;
   var p545: f32;
-  var p546: bool;
   var p547: bool;
   var p588: f32;
   var p589: u32;
-  var p590: u32;
   var p591: f32;
-  var p592: u32;
   var p593: u32;
   var p594: u32;
   var p609: u32;
   var p610: u32;
   var p4926: u32;
   var p612: u32;
-  var p666: u32;
   var p667: u32;
-  var p668: u32;
   var p669: u32;
-  var p6516: u32;
   var p6517: u32;
   var p605: u32;
-  var p606: bool;
   var p607: u32;
   var p608: bool;
-  var p6518: u32;
   var p6519: u32;
   var p6520: bool;
   var p6521: u32;
@@ -131,121 +82,58 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p4998: u32;
   var p701: u32;
   var p702: f32;
-  var p864: f32;
   var p867: f32;
-  var p707: u32;
-  var p708: f32;
   var p865: u32;
   var p866: f32;
-  var p6522: u32;
-  var p6523: f32;
-  var p696: u32;
-  var p697: f32;
-  var p698: bool;
-  var p699: bool;
   var p687: u32;
   var p688: f32;
-  var p689: bool;
-  var p690: bool;
   var p691: bool;
-  var p875: bool;
   var p876: bool;
   var p5042: u32;
   var p897: u32;
   var p898: f32;
-  var p1133: f32;
   var p1136: f32;
-  var p903: u32;
-  var p904: f32;
   var p1134: u32;
   var p1135: f32;
-  var p6524: u32;
-  var p6525: f32;
   var p892: u32;
   var p893: f32;
   var p894: bool;
   var p895: bool;
-  var p1147: bool;
   var p1170: bool;
   var p5174: u32;
   var p1172: u32;
   var p1173: f32;
-  var p1330: f32;
-  var p1331: f32;
   var p1335: f32;
   var p1381: f32;
   var p1424: f32;
   var p1467: f32;
-  var p1481: bool;
-  var p1482: u32;
-  var p1483: f32;
-  var p1378: bool;
-  var p1379: u32;
-  var p1380: f32;
-  var p1484: f32;
-  var p1485: u32;
   var p1486: bool;
   var p1332: bool;
   var p1333: u32;
   var p1334: f32;
-  var p6526: bool;
   var p6527: u32;
-  var p6528: f32;
   var p1166: u32;
-  var p1167: u32;
   var p1168: f32;
   var p1169: bool;
-  var p684: f32;
-  var p685: u32;
   var p677: f32;
-  var p678: u32;
   var p679: u32;
   var p680: f32;
   var p1489: u32;
   var p4584: bool;
   var p4585: u32;
-  var p5346: u32;
   var p4587: bool;
-  var p6529: u32;
   var p6530: u32;
   var p6531: bool;
   var p1491: u32;
   var p1492: bool;
   var p6532: u32;
   var p6533: f32;
-  var p2614: f32;
-  var p2615: f32;
-  var p2616: f32;
   var p2665: u32;
   var p2666: bool;
-  var p2668: u32;
   var p2671: u32;
   var p2718: u32;
   var p2719: bool;
-  var p2721: u32;
   var p2722: u32;
-  var p2669: f32;
-  var p2670: f32;
-  var p2604: f32;
-  var p2605: f32;
-  var p2606: f32;
-  var p2607: f32;
-  var p2608: f32;
-  var p2609: f32;
-  var p2610: f32;
-  var p2611: f32;
-  var p2612: u32;
-  var p2613: f32;
-  var p2741: f32;
-  var p2742: f32;
-  var p2743: f32;
-  var p2744: f32;
-  var p2745: f32;
-  var p2746: f32;
-  var p2747: f32;
-  var p2748: f32;
-  var p2749: u32;
-  var p2750: f32;
   var p2088: f32;
   var p2089: f32;
   var p2090: f32;
@@ -262,24 +150,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p2240: f32;
   var p2289: u32;
   var p2290: bool;
-  var p2292: u32;
   var p2295: u32;
   var p2342: u32;
   var p2343: bool;
-  var p2345: u32;
   var p2346: u32;
-  var p2293: f32;
-  var p2294: f32;
-  var p2228: f32;
-  var p2229: f32;
-  var p2230: f32;
-  var p2231: f32;
-  var p2232: f32;
-  var p2233: f32;
-  var p2234: f32;
-  var p2235: f32;
-  var p2236: u32;
-  var p2237: f32;
   var p1779: f32;
   var p1780: f32;
   var p1781: f32;
@@ -294,29 +168,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1943: f32;
   var p1944: f32;
   var p1945: f32;
-  var p2009: f32;
-  var p2010: f32;
-  var p2011: f32;
-  var p2012: bool;
-  var p2013: bool;
   var p2014: f32;
   var p2015: f32;
   var p2016: f32;
-  var p2017: bool;
-  var p2018: bool;
   var p2019: bool;
   var p2027: f32;
   var p2028: f32;
-  var p2029: f32;
-  var p2030: bool;
   var p2031: bool;
   var p2026: bool;
-  var p2035: f32;
-  var p2036: f32;
-  var p2037: f32;
-  var p2038: f32;
-  var p2039: f32;
-  var p2040: f32;
   var p1930: f32;
   var p1931: f32;
   var p1932: f32;
@@ -332,24 +191,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1942: f32;
   var p2935: f32;
   var p2936: bool;
-  var p2958: f32;
   var p2961: f32;
   var p2987: f32;
   var p2988: f32;
   var p2989: f32;
   var p3002: u32;
-  var p2959: f32;
-  var p2960: u32;
-  var p2874: u32;
   var p2875: f32;
   var p2894: u32;
-  var p2872: u32;
-  var p2873: u32;
-  var p3021: u32;
-  var p3022: u32;
-  var p3025: f32;
-  var p3026: f32;
-  var p3027: f32;
   var p3028: f32;
   var p3029: f32;
   var p3030: f32;
@@ -364,34 +212,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p3239: f32;
   var p3240: u32;
   var p3241: u32;
-  var p3359: f32;
-  var p3360: f32;
-  var p3361: f32;
-  var p5904: u32;
-  var p5906: u32;
-  var p5908: u32;
-  var p3365: f32;
-  var p3366: f32;
-  var p3367: f32;
   var p3348: f32;
   var p3349: f32;
   var p3350: f32;
-  var p5910: u32;
-  var p5912: u32;
-  var p5914: u32;
   var p3354: f32;
   var p3355: f32;
   var p3356: f32;
   var p3357: bool;
-  var p3368: f32;
-  var p3369: f32;
-  var p3370: f32;
-  var p5916: u32;
-  var p5918: u32;
-  var p5920: u32;
-  var p3374: f32;
-  var p3375: f32;
-  var p3376: f32;
   var p3384: f32;
   var p3385: f32;
   var p3386: f32;
@@ -403,19 +230,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p3392: f32;
   var p3440: f32;
   var p3441: u32;
-  var p3442: u32;
-  var p3443: u32;
   var p3444: u32;
   var p3445: u32;
   var p3461: u32;
   var p3462: u32;
   var p5930: u32;
   var p3464: u32;
-  var p3518: u32;
   var p3519: u32;
-  var p3520: u32;
   var p3521: u32;
-  var p6534: u32;
   var p6535: u32;
   var p3456: u32;
   var p3457: bool;
@@ -430,98 +252,50 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p6002: u32;
   var p3554: u32;
   var p3555: f32;
-  var p3717: f32;
   var p3720: f32;
-  var p3560: u32;
-  var p3561: f32;
   var p3718: u32;
   var p3719: f32;
-  var p6540: u32;
-  var p6541: f32;
-  var p3549: u32;
-  var p3550: f32;
-  var p3551: bool;
-  var p3552: bool;
   var p3540: u32;
   var p3541: f32;
-  var p3542: bool;
-  var p3543: bool;
   var p3544: bool;
-  var p3728: bool;
   var p3729: bool;
   var p6046: u32;
   var p3750: u32;
   var p3751: f32;
-  var p3986: f32;
   var p3989: f32;
-  var p3756: u32;
-  var p3757: f32;
   var p3987: u32;
   var p3988: f32;
-  var p6542: u32;
-  var p6543: f32;
   var p3745: u32;
   var p3746: f32;
   var p3747: bool;
   var p3748: bool;
-  var p4001: bool;
   var p4025: bool;
   var p6178: u32;
   var p4027: u32;
   var p4028: f32;
-  var p4185: f32;
-  var p4186: f32;
   var p4191: f32;
   var p4237: f32;
   var p4280: f32;
   var p4323: f32;
-  var p4337: bool;
-  var p4338: u32;
-  var p4339: f32;
-  var p4234: bool;
-  var p4235: u32;
-  var p4236: f32;
-  var p4340: f32;
-  var p4341: u32;
   var p4342: bool;
   var p4187: bool;
   var p4188: u32;
   var p4189: f32;
   var p6544: u32;
-  var p6545: f32;
-  var p6546: bool;
-  var p4020: u32;
-  var p4021: u32;
-  var p4022: u32;
-  var p4023: f32;
-  var p4024: bool;
-  var p3530: u32;
-  var p3531: u32;
-  var p3532: u32;
   var p3533: u32;
   var p3534: u32;
   var p3535: f32;
   var p3536: bool;
-  var p4589: u32;
   var p4590: u32;
-  var p4591: bool;
   var p4350: u32;
-  var p4351: u32;
-  var p4352: u32;
   var p4353: bool;
   var p4354: bool;
   var p6547: u32;
-  var p6548: u32;
   var p6549: f32;
   var p6550: bool;
-  var p4360: bool;
-  var p4361: bool;
-  var p4347: bool;
-  var p4348: bool;
   var p4349: bool;
   var p4362: u32;
   var p4363: bool;
-  var p4365: bool;
   var p3439: bool;
   var p4385: f32;
   var p4386: f32;
@@ -530,8 +304,6 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p4501: u32;
   var p4502: f32;
   var p4512: f32;
-  var p6551: f32;
-  var p4499: f32;
   var p4416: f32;
   var p4417: bool;
   var p4428: u32;
@@ -541,21 +313,8 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p4438: u32;
   var p4435: f32;
   var p4436: bool;
-  var p4462: f32;
   var p4464: f32;
-  var p4518: f32;
-  var p4519: f32;
-  var p4520: f32;
   var p4463: f32;
-  var p4521: f32;
-  var p4522: f32;
-  var p4523: f32;
-  var p4379: f32;
-  var p4380: f32;
-  var p4381: f32;
-  var p4382: f32;
-  var p4383: f32;
-  var p4384: f32;
   var p3377: f32;
   var p3378: f32;
   var p3379: f32;
@@ -563,41 +322,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p3381: f32;
   var p3382: f32;
   var p3383: u32;
-  var p6552: f32;
-  var p6553: f32;
-  var p6554: f32;
-  var p6555: f32;
-  var p6556: f32;
-  var p6557: f32;
-  var p6558: u32;
-  var p3227: f32;
-  var p3228: f32;
-  var p3229: f32;
-  var p3230: f32;
-  var p3231: f32;
-  var p3232: f32;
-  var p3233: u32;
-  var p4531: f32;
-  var p4532: f32;
-  var p4533: f32;
-  var p4534: f32;
-  var p4535: f32;
-  var p4536: f32;
-  var p4537: u32;
-  var p4538: u32;
   var p4539: f32;
   var p4540: f32;
   var p4541: f32;
   var p4542: f32;
   var p4543: f32;
   var p4544: f32;
-  var p2751: f32;
-  var p2752: f32;
-  var p2753: f32;
-  var p2754: u32;
-  var p2755: u32;
-  var p2756: u32;
-  var p2757: bool;
   var p580: f32;
   var p581: f32;
   var p582: f32;
@@ -611,53 +341,20 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1517: f32;
   var p1592: u32;
   var p1593: bool;
-  var p1595: u32;
   var p1600: u32;
   var p1647: u32;
   var p1648: bool;
-  var p1650: u32;
   var p1651: u32;
-  var p1596: f32;
-  var p1597: f32;
-  var p1598: f32;
-  var p1599: bool;
   var p1536: f32;
   var p1537: f32;
   var p1538: f32;
   var p1539: bool;
-  var p4551: f32;
-  var p4552: f32;
-  var p4553: f32;
   var p1509: f32;
   var p1510: f32;
   var p1511: f32;
   var p1512: u32;
   var p1513: u32;
   var p1514: u32;
-  var p6559: u32;
-  var p6560: u32;
-  var p6561: u32;
-  var p6562: f32;
-  var p6563: f32;
-  var p6564: f32;
-  var p391: f32;
-  var p392: f32;
-  var p393: f32;
-  var p394: u32;
-  var p395: u32;
-  var p396: u32;
-  var p379: f32;
-  var p380: f32;
-  var p381: f32;
-  var p382: u32;
-  var p383: u32;
-  var p384: u32;
-  var p385: u32;
-  var p386: u32;
-  var p387: u32;
-  var p388: f32;
-  var p389: f32;
-  var p390: f32;
   var p136: f32;
   var p137: f32;
   var p138: u32;
@@ -833,14 +530,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               if v264 {
                 let v294 = (v4776 + v4780);
                 p265 = v294;
-                p266 = true;
+                p293 = true;
                 p267 = false;
               } else {
-                p266 = false;
+                p293 = false;
                 p267 = true;
               }
               let v265 = p265;
-              let v266 = p266;
               let v267 = p267;
               if v267 {
                 let v4787 = sqrt(v263);
@@ -865,12 +561,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v286 = select(0.0f, v284, v285);
                   let v287 = !(v286 < 1.0f);
                   if v287 {
-                    p295 = 1.0f;
+                    p302 = 1.0f;
                   } else {
-                    p295 = v286;
+                    p302 = v286;
                   }
-                  let v295 = p295;
-                  p302 = v295;
                 } else {
                   p302 = 1.0f;
                 }
@@ -948,81 +642,52 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   r2[8u] = v4801;
                   r2[9u] = 1u;
                   let v219 = !(v304 < 0.0009765625f);
-                  p185 = v202;
-                  p186 = true;
-                  p187 = v219;
-                  p188 = false;
+                  p289 = v202;
+                  p337 = true;
+                  p292 = v219;
+                  p293 = false;
                 } else {
-                  p186 = false;
-                  p187 = false;
-                  p188 = true;
+                  p337 = false;
+                  p292 = false;
+                  p293 = true;
                 }
-                let v185 = p185;
-                let v186 = p186;
-                let v187 = p187;
-                let v188 = p188;
-                p296 = v304;
-                p297 = v185;
-                p298 = v304;
-                p299 = v186;
-                p300 = v187;
-                p301 = v188;
+                p192 = v304;
+                p290 = v304;
               } else {
-                p296 = v265;
-                p298 = v265;
-                p299 = false;
-                p300 = false;
-                p301 = v266;
+                p192 = v265;
+                p290 = v265;
+                p337 = false;
+                p292 = false;
               }
-              let v296 = p296;
-              let v297 = p297;
-              let v298 = p298;
-              let v299 = p299;
-              let v300 = p300;
-              let v301 = p301;
-              p288 = v296;
-              p289 = v297;
-              p290 = v298;
-              p291 = v299;
-              p292 = v300;
-              p293 = v301;
             } else {
-              p288 = v4776;
+              p192 = v4776;
               p290 = v4776;
-              p291 = false;
+              p337 = false;
               p292 = false;
               p293 = true;
             }
-            let v288 = p288;
             let v289 = p289;
             let v290 = p290;
-            let v291 = p291;
             let v292 = p292;
             let v293 = p293;
             if v293 {
               let v189 = !(v290 < 0.0009765625f);
               if v189 {
                 let v195 = -(v4752);
-                p220 = v195;
-                p221 = true;
+                p193 = v195;
+                p194 = true;
               } else {
-                p221 = v292;
+                p194 = v292;
               }
-              let v220 = p220;
-              let v221 = p221;
-              p190 = 0u;
+              p403 = 0u;
               p191 = 0u;
               p192 = v290;
-              p193 = v220;
-              p194 = v221;
             } else {
-              p190 = 1u;
+              p403 = 1u;
               p191 = 1u;
-              p192 = v288;
               p193 = v289;
               p194 = v292;
             }
-            let v190 = p190;
             let v191 = p191;
             let v192 = p192;
             let v193 = p193;
@@ -1076,19 +741,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v4844 = (v4809 + 9u);
               r2[v4844] = 1u;
               let v253 = (v191 + 1u);
-              p334 = v253;
-              p335 = v191;
-              p336 = 1u;
+              p397 = v253;
+              p403 = v191;
+              p402 = 1u;
               p337 = true;
             } else {
-              p334 = 1u;
-              p335 = v190;
-              p336 = 0u;
-              p337 = v291;
+              p397 = 1u;
+              p402 = 0u;
             }
-            let v334 = p334;
-            let v335 = p335;
-            let v336 = p336;
             let v337 = p337;
             if v337 {
               let v341 = (v4696 & 128u);
@@ -1113,13 +773,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v370 = (v369 != true);
               let v4846 = r4[3u][3u];
               let v4847 = bitcast<f32>(v4846);
-              p397 = v334;
               p398 = 0.0f;
               p399 = 0.0f;
               p400 = 0.0f;
               p401 = 0u;
-              p402 = v336;
-              p403 = v335;
               var done0 = false;
               loop {
                 if done0 { break; }
@@ -1218,57 +875,36 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 if v484 {
                   let v485 = (v4898 > v4899);
                   if v485 {
-                    p497 = v441;
-                    p498 = v4864;
-                    p499 = v4872;
-                    p4900 = 2u;
-                    p4902 = 0u;
-                    p4904 = 1u;
-                    p503 = v4860;
-                    p504 = v4852;
-                    p505 = v4856;
+                    p486 = v441;
+                    p487 = v4864;
+                    p488 = v4872;
+                    p4922 = 2u;
+                    p4920 = 0u;
+                    p4918 = 1u;
+                    p492 = v4860;
+                    p493 = v4852;
+                    p494 = v4856;
                   } else {
-                    p497 = v446;
-                    p498 = v4868;
-                    p499 = v4864;
-                    p4900 = 0u;
-                    p4902 = 1u;
-                    p4904 = 2u;
-                    p503 = v4852;
-                    p504 = v4856;
-                    p505 = v4860;
+                    p486 = v446;
+                    p487 = v4868;
+                    p488 = v4864;
+                    p4922 = 0u;
+                    p4920 = 1u;
+                    p4918 = 2u;
+                    p492 = v4852;
+                    p493 = v4856;
+                    p494 = v4860;
                   }
-                  let v497 = p497;
-                  let v498 = p498;
-                  let v499 = p499;
-                  let v4900 = p4900;
-                  let v4902 = p4902;
-                  let v4904 = p4904;
-                  let v503 = p503;
-                  let v504 = p504;
-                  let v505 = p505;
-                  p486 = v497;
-                  p487 = v498;
-                  p488 = v499;
-                  p4906 = v4900;
-                  p4908 = v4902;
-                  p4910 = v4904;
-                  p492 = v503;
-                  p493 = v504;
-                  p494 = v505;
                   p495 = false;
                 } else {
-                  p4906 = 0u;
-                  p4908 = 0u;
-                  p4910 = 0u;
+                  p4922 = 0u;
+                  p4920 = 0u;
+                  p4918 = 0u;
                   p495 = true;
                 }
                 let v486 = p486;
                 let v487 = p487;
                 let v488 = p488;
-                let v4906 = p4906;
-                let v4908 = p4908;
-                let v4910 = p4910;
                 let v492 = p492;
                 let v493 = p493;
                 let v494 = p494;
@@ -1276,51 +912,30 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 if v495 {
                   let v496 = (v4897 > v4899);
                   if v496 {
-                    p506 = v436;
-                    p507 = v4872;
-                    p508 = v4868;
-                    p4912 = 1u;
-                    p4914 = 2u;
-                    p4916 = 0u;
-                    p512 = v4856;
-                    p513 = v4860;
-                    p514 = v4852;
+                    p523 = v436;
+                    p522 = v4872;
+                    p521 = v4868;
+                    p4922 = 1u;
+                    p4920 = 2u;
+                    p4918 = 0u;
+                    p517 = v4856;
+                    p516 = v4860;
+                    p515 = v4852;
                   } else {
-                    p506 = v446;
-                    p507 = v4868;
-                    p508 = v4864;
-                    p4912 = 0u;
-                    p4914 = 1u;
-                    p4916 = 2u;
-                    p512 = v4852;
-                    p513 = v4856;
-                    p514 = v4860;
+                    p523 = v446;
+                    p522 = v4868;
+                    p521 = v4864;
+                    p4922 = 0u;
+                    p4920 = 1u;
+                    p4918 = 2u;
+                    p517 = v4852;
+                    p516 = v4856;
+                    p515 = v4860;
                   }
-                  let v506 = p506;
-                  let v507 = p507;
-                  let v508 = p508;
-                  let v4912 = p4912;
-                  let v4914 = p4914;
-                  let v4916 = p4916;
-                  let v512 = p512;
-                  let v513 = p513;
-                  let v514 = p514;
-                  p515 = v514;
-                  p516 = v513;
-                  p517 = v512;
-                  p4918 = v4916;
-                  p4920 = v4914;
-                  p4922 = v4912;
-                  p521 = v508;
-                  p522 = v507;
-                  p523 = v506;
                 } else {
                   p515 = v494;
                   p516 = v493;
                   p517 = v492;
-                  p4918 = v4910;
-                  p4920 = v4908;
-                  p4922 = v4906;
                   p521 = v488;
                   p522 = v487;
                   p523 = v486;
@@ -1357,14 +972,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v543 = (v4872 * v4872);
                   let v544 = (v542 + v543);
                   p545 = v544;
-                  p546 = true;
+                  p587 = true;
                   p547 = false;
                 } else {
-                  p546 = false;
+                  p587 = false;
                   p547 = true;
                 }
                 let v545 = p545;
-                let v546 = p546;
                 let v547 = p547;
                 if v547 {
                   r1[192u] = 0u;
@@ -1401,19 +1015,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v578 = select(v480, v479, v577);
                   p588 = bitcast<f32>(bits_7f800000);
                   p589 = 0u;
-                  p590 = 0u;
+                  p593 = 0u;
                   p591 = bitcast<f32>(bits_7f800000);
-                  p592 = 0u;
+                  p594 = 0u;
                   var done1 = false;
                   loop {
                     if done1 { break; }
                     let v588 = p588;
                     let v589 = p589;
-                    let v590 = p590;
                     let v591 = p591;
-                    let v592 = p592;
-                    p593 = v590;
-                    p594 = v592;
                     var done2 = false;
                     loop {
                       if done2 { break; }
@@ -1529,55 +1139,46 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v4995 = (v4992 + 1u);
                               r1[v4995] = v4991;
                               let v665 = (v612 + 1u);
-                              p666 = v665;
+                              p667 = v665;
                             } else {
-                              p666 = v612;
+                              p667 = v612;
                             }
-                            let v666 = p666;
-                            p667 = v666;
-                            p668 = v4990;
+                            p610 = v4990;
                             p669 = v657;
                           } else {
                             p667 = v612;
-                            p668 = v610;
+                            p610 = v610;
                             p669 = v609;
                           }
                           let v667 = p667;
-                          let v668 = p668;
                           let v669 = p669;
                           let v4997 = (v4928 == 8u);
                           p609 = v669;
-                          p610 = v668;
                           p4926 = v4928;
                           p612 = v667;
-                          p6516 = v667;
+                          p607 = v667;
                           p6517 = v669;
                           done3 = v4997;
                         }
-                        let v6516 = p6516;
                         let v6517 = p6517;
                         let v671 = (v6517 == 4294967295u);
                         p605 = v6517;
-                        p606 = false;
-                        p607 = v6516;
+                        p6520 = false;
                         p608 = v671;
                       } else {
-                        p606 = true;
+                        p6520 = true;
                         p608 = true;
                       }
                       let v605 = p605;
-                      let v606 = p606;
                       let v607 = p607;
                       let v608 = p608;
                       p593 = v607;
                       p594 = v605;
-                      p6518 = v593;
+                      p1489 = v593;
                       p6519 = v594;
-                      p6520 = v606;
                       p6521 = v607;
                       done2 = v608;
                     }
-                    let v6518 = p6518;
                     let v6519 = p6519;
                     let v6520 = p6520;
                     let v6521 = p6521;
@@ -1785,12 +1386,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                   let v861 = select(v755, v859, v860);
                                   let v862 = !(v861 >= 0.0f);
                                   let v863 = select(v861, bitcast<f32>(bits_7fc00000), v862);
-                                  p864 = v863;
+                                  p867 = v863;
                                 } else {
-                                  p864 = v854;
+                                  p867 = v854;
                                 }
-                                let v864 = p864;
-                                p867 = v864;
                               } else {
                                 p867 = bitcast<f32>(bits_7fc00000);
                               }
@@ -1803,16 +1402,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v873 = (v869 | v872);
                               let v874 = (v868 & v873);
                               if v874 {
-                                p707 = v5007;
-                                p708 = v867;
+                                p865 = v5007;
+                                p866 = v867;
                               } else {
-                                p707 = v701;
-                                p708 = v702;
+                                p865 = v701;
+                                p866 = v702;
                               }
-                              let v707 = p707;
-                              let v708 = p708;
-                              p865 = v707;
-                              p866 = v708;
                             } else {
                               p865 = v701;
                               p866 = v702;
@@ -1823,48 +1418,32 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             p4998 = v5000;
                             p701 = v865;
                             p702 = v866;
-                            p6522 = v865;
-                            p6523 = v866;
+                            p687 = v865;
+                            p688 = v866;
                             done4 = v5041;
                           }
-                          let v6522 = p6522;
-                          let v6523 = p6523;
-                          p696 = v6522;
-                          p697 = v6523;
-                          p698 = true;
-                          p699 = false;
+                          p895 = true;
+                          p876 = false;
                         } else {
-                          p698 = false;
-                          p699 = true;
+                          p895 = false;
+                          p876 = true;
                         }
-                        let v696 = p696;
-                        let v697 = p697;
-                        let v698 = p698;
-                        let v699 = p699;
-                        p687 = v696;
-                        p688 = v697;
-                        p689 = v698;
-                        p690 = v699;
                         p691 = false;
                       } else {
-                        p689 = false;
-                        p690 = false;
+                        p895 = false;
+                        p876 = false;
                         p691 = true;
                       }
                       let v687 = p687;
                       let v688 = p688;
-                      let v689 = p689;
-                      let v690 = p690;
                       let v691 = p691;
                       if v691 {
                         let v683 = (v673 != 0u);
-                        p875 = true;
+                        p894 = true;
                         p876 = v683;
                       } else {
-                        p875 = false;
-                        p876 = v690;
+                        p894 = false;
                       }
-                      let v875 = p875;
                       let v876 = p876;
                       if v876 {
                         p5042 = 0u;
@@ -2174,12 +1753,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v1130 = select(v973, v1128, v1129);
                                 let v1131 = !(v1130 >= 0.0f);
                                 let v1132 = select(v1130, bitcast<f32>(bits_7fc00000), v1131);
-                                p1133 = v1132;
+                                p1136 = v1132;
                               } else {
-                                p1133 = v1123;
+                                p1136 = v1123;
                               }
-                              let v1133 = p1133;
-                              p1136 = v1133;
                             } else {
                               p1136 = bitcast<f32>(bits_7fc00000);
                             }
@@ -2192,16 +1769,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v1142 = (v1138 | v1141);
                             let v1143 = (v1137 & v1142);
                             if v1143 {
-                              p903 = v5051;
-                              p904 = v1136;
+                              p1134 = v5051;
+                              p1135 = v1136;
                             } else {
-                              p903 = v897;
-                              p904 = v898;
+                              p1134 = v897;
+                              p1135 = v898;
                             }
-                            let v903 = p903;
-                            let v904 = p904;
-                            p1134 = v903;
-                            p1135 = v904;
                           } else {
                             p1134 = v897;
                             p1135 = v898;
@@ -2212,21 +1785,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           p5042 = v5044;
                           p897 = v1134;
                           p898 = v1135;
-                          p6524 = v1134;
-                          p6525 = v1135;
+                          p892 = v1134;
+                          p893 = v1135;
                           done5 = v5173;
                         }
-                        let v6524 = p6524;
-                        let v6525 = p6525;
-                        p892 = v6524;
-                        p893 = v6525;
                         p894 = false;
                         p895 = true;
                       } else {
                         p892 = v687;
                         p893 = v688;
-                        p894 = v875;
-                        p895 = v689;
                       }
                       let v892 = p892;
                       let v893 = p893;
@@ -2236,11 +1803,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v1144 = !(v893 == v588);
                         let v1145 = (v892 != v589);
                         let v1146 = select(v1145, true, v1144);
-                        p1147 = v1146;
+                        p1169 = v1146;
                       } else {
-                        p1147 = false;
+                        p1169 = false;
                       }
-                      let v1147 = p1147;
                       if v894 {
                         p1170 = false;
                         p5174 = 0u;
@@ -2495,17 +2061,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v1328 = select(v1317, v1245, v1327);
                                 let v1329 = !(v1328 < v1321);
                                 if v1329 {
-                                  p1330 = v1321;
+                                  p1335 = v1321;
                                 } else {
-                                  p1330 = v1328;
+                                  p1335 = v1328;
                                 }
-                                let v1330 = p1330;
-                                p1331 = v1330;
                               } else {
-                                p1331 = bitcast<f32>(bits_7fc00000);
+                                p1335 = bitcast<f32>(bits_7fc00000);
                               }
-                              let v1331 = p1331;
-                              p1335 = v1331;
                             } else {
                               p1335 = v1245;
                             }
@@ -2670,43 +2232,27 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v1479 = (v1478 & v1475);
                                 let v1480 = (v1477 | v1479);
                                 if v1480 {
-                                  p1481 = true;
-                                  p1482 = v5270;
-                                  p1483 = v1335;
+                                  p1486 = true;
+                                  p1333 = v5270;
+                                  p1334 = v1335;
                                 } else {
-                                  p1481 = false;
-                                  p1482 = v1172;
-                                  p1483 = v1173;
+                                  p1486 = false;
+                                  p1333 = v1172;
+                                  p1334 = v1173;
                                 }
-                                let v1481 = p1481;
-                                let v1482 = p1482;
-                                let v1483 = p1483;
-                                p1378 = v1481;
-                                p1379 = v1482;
-                                p1380 = v1483;
                               } else {
-                                p1378 = true;
-                                p1379 = v5270;
-                                p1380 = v1335;
+                                p1486 = true;
+                                p1333 = v5270;
+                                p1334 = v1335;
                               }
-                              let v1378 = p1378;
-                              let v1379 = p1379;
-                              let v1380 = p1380;
-                              p1484 = v1380;
-                              p1485 = v1379;
-                              p1486 = v1378;
                             } else {
-                              p1484 = v1173;
-                              p1485 = v1172;
+                              p1334 = v1173;
+                              p1333 = v1172;
                               p1486 = false;
                             }
-                            let v1484 = p1484;
-                            let v1485 = p1485;
                             let v1486 = p1486;
                             let v1487 = (v1170 | v1486);
                             p1332 = v1487;
-                            p1333 = v1485;
-                            p1334 = v1484;
                           } else {
                             p1332 = v1170;
                             p1333 = v1172;
@@ -2720,53 +2266,39 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           p5174 = v5176;
                           p1172 = v1333;
                           p1173 = v1334;
-                          p6526 = v1332;
+                          p1169 = v1332;
                           p6527 = v1333;
-                          p6528 = v1334;
+                          p1168 = v1334;
                           done6 = v5342;
                         }
-                        let v6526 = p6526;
                         let v6527 = p6527;
-                        let v6528 = p6528;
                         p1166 = v6527;
-                        p1167 = v6527;
-                        p1168 = v6528;
-                        p1169 = v6526;
+                        p679 = v6527;
                       } else {
                         p1166 = v589;
-                        p1167 = v892;
+                        p679 = v892;
                         p1168 = v893;
-                        p1169 = v1147;
                       }
                       let v1166 = p1166;
-                      let v1167 = p1167;
                       let v1168 = p1168;
                       let v1169 = p1169;
                       if v1169 {
-                        p684 = v1168;
-                        p685 = v1167;
+                        p677 = v1168;
                       } else {
-                        p684 = v591;
-                        p685 = v1166;
+                        p677 = v591;
+                        p679 = v1166;
                       }
-                      let v684 = p684;
-                      let v685 = p685;
-                      p677 = v684;
-                      p678 = v6518;
-                      p679 = v685;
                       p680 = v1168;
                     } else {
                       p677 = v591;
-                      p678 = v6521;
+                      p1489 = v6521;
                       p679 = v589;
                       p680 = v588;
                     }
                     let v677 = p677;
-                    let v678 = p678;
                     let v679 = p679;
                     let v680 = p680;
                     let v686 = bitcast<u32>(v677);
-                    p1489 = v678;
                     var done7 = false;
                     loop {
                       if done7 { break; }
@@ -2781,25 +2313,22 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v6515 = (v5343 + 4294967294u);
                         p4584 = false;
                         p4585 = v1497;
-                        p5346 = v6515;
+                        p6530 = v6515;
                         p4587 = v1502;
                       } else {
                         p4584 = true;
-                        p5346 = 0u;
+                        p6530 = 0u;
                         p4587 = true;
                       }
                       let v4584 = p4584;
                       let v4585 = p4585;
-                      let v5346 = p5346;
                       let v4587 = p4587;
                       let v4588 = (v4584 != true);
                       p1489 = v4585;
-                      p6529 = v4585;
-                      p6530 = v5346;
+                      p593 = v4585;
                       p6531 = v4588;
                       done7 = v4587;
                     }
-                    let v6529 = p6529;
                     let v6530 = p6530;
                     let v6531 = p6531;
                     if v6531 {
@@ -2813,9 +2342,8 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1492 = p1492;
                     p588 = v680;
                     p589 = v679;
-                    p590 = v6529;
                     p591 = v677;
-                    p592 = v1491;
+                    p594 = v1491;
                     p6532 = v679;
                     p6533 = v680;
                     done1 = v1492;
@@ -3087,17 +2615,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v2601 = (v2590 * v2600);
                               let v2602 = (v2591 * v2600);
                               let v2603 = (v2592 * v2600);
-                              p2614 = v2601;
-                              p2615 = v2602;
-                              p2616 = v2603;
+                              p2093 = v2601;
+                              p2094 = v2602;
+                              p2095 = v2603;
                             } else {
-                              p2614 = 0.0f;
-                              p2615 = 0.0f;
-                              p2616 = 0.0f;
+                              p2093 = 0.0f;
+                              p2094 = 0.0f;
+                              p2095 = 0.0f;
                             }
-                            let v2614 = p2614;
-                            let v2615 = p2615;
-                            let v2616 = p2616;
                             let v2617 = (v2552 * v2574);
                             let v2618 = (v5360 + v2617);
                             let v2619 = (v2551 * v2574);
@@ -3158,12 +2683,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v2666 = p2666;
                                 if v2666 {
                                   let v2667 = (v2628 & 2147483648u);
-                                  p2668 = v2667;
+                                  p2671 = v2667;
                                 } else {
-                                  p2668 = v2665;
+                                  p2671 = v2665;
                                 }
-                                let v2668 = p2668;
-                                p2671 = v2668;
                               } else {
                                 p2671 = 2143289344u;
                               }
@@ -3225,12 +2748,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v2719 = p2719;
                                 if v2719 {
                                   let v2720 = (v2681 & 2147483648u);
-                                  p2721 = v2720;
+                                  p2722 = v2720;
                                 } else {
-                                  p2721 = v2718;
+                                  p2722 = v2718;
                                 }
-                                let v2721 = p2721;
-                                p2722 = v2721;
                               } else {
                                 p2722 = 2143289344u;
                               }
@@ -3241,14 +2762,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v2726 = bitcast<f32>(v2722);
                               let v2727 = (v2726 * 0.31830987f);
                               let v2728 = (1.0f - v2727);
-                              p2669 = v2725;
-                              p2670 = v2728;
+                              p2088 = v2725;
+                              p2089 = v2728;
                             } else {
-                              p2669 = 0.0f;
-                              p2670 = 0.0f;
+                              p2088 = 0.0f;
+                              p2089 = 0.0f;
                             }
-                            let v2669 = p2669;
-                            let v2670 = p2670;
                             let v2729 = (v5378 & 2147483647u);
                             let v2730 = (v5394 & 2147483647u);
                             let v2731 = (v5409 & 2147483647u);
@@ -3261,80 +2780,35 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v2738 = (v2736 > v2737);
                             let v2739 = select(v2735, v2729, v2738);
                             let v2740 = bitcast<f32>(v2739);
-                            p2604 = v2669;
-                            p2605 = v2670;
-                            p2606 = v2622;
-                            p2607 = v2620;
-                            p2608 = v2618;
-                            p2609 = v2614;
-                            p2610 = v2615;
-                            p2611 = v2616;
-                            p2612 = v5362;
-                            p2613 = v2740;
+                            p2090 = v2622;
+                            p2091 = v2620;
+                            p2092 = v2618;
+                            p2096 = v5362;
+                            p2097 = v2740;
                           } else {
-                            p2604 = 0.0f;
-                            p2605 = 0.0f;
-                            p2606 = 0.0f;
-                            p2607 = 0.0f;
-                            p2608 = 0.0f;
-                            p2609 = 0.0f;
-                            p2610 = 0.0f;
-                            p2611 = 0.0f;
-                            p2612 = 0u;
-                            p2613 = 0.0f;
+                            p2088 = 0.0f;
+                            p2089 = 0.0f;
+                            p2090 = 0.0f;
+                            p2091 = 0.0f;
+                            p2092 = 0.0f;
+                            p2093 = 0.0f;
+                            p2094 = 0.0f;
+                            p2095 = 0.0f;
+                            p2096 = 0u;
+                            p2097 = 0.0f;
                           }
-                          let v2604 = p2604;
-                          let v2605 = p2605;
-                          let v2606 = p2606;
-                          let v2607 = p2607;
-                          let v2608 = p2608;
-                          let v2609 = p2609;
-                          let v2610 = p2610;
-                          let v2611 = p2611;
-                          let v2612 = p2612;
-                          let v2613 = p2613;
-                          p2741 = v2604;
-                          p2742 = v2605;
-                          p2743 = v2606;
-                          p2744 = v2607;
-                          p2745 = v2608;
-                          p2746 = v2609;
-                          p2747 = v2610;
-                          p2748 = v2611;
-                          p2749 = v2612;
-                          p2750 = v2613;
                         } else {
-                          p2741 = 0.0f;
-                          p2742 = 0.0f;
-                          p2743 = 0.0f;
-                          p2744 = 0.0f;
-                          p2745 = 0.0f;
-                          p2746 = 0.0f;
-                          p2747 = 0.0f;
-                          p2748 = 0.0f;
-                          p2749 = 0u;
-                          p2750 = 0.0f;
+                          p2088 = 0.0f;
+                          p2089 = 0.0f;
+                          p2090 = 0.0f;
+                          p2091 = 0.0f;
+                          p2092 = 0.0f;
+                          p2093 = 0.0f;
+                          p2094 = 0.0f;
+                          p2095 = 0.0f;
+                          p2096 = 0u;
+                          p2097 = 0.0f;
                         }
-                        let v2741 = p2741;
-                        let v2742 = p2742;
-                        let v2743 = p2743;
-                        let v2744 = p2744;
-                        let v2745 = p2745;
-                        let v2746 = p2746;
-                        let v2747 = p2747;
-                        let v2748 = p2748;
-                        let v2749 = p2749;
-                        let v2750 = p2750;
-                        p2088 = v2741;
-                        p2089 = v2742;
-                        p2090 = v2743;
-                        p2091 = v2744;
-                        p2092 = v2745;
-                        p2093 = v2746;
-                        p2094 = v2747;
-                        p2095 = v2748;
-                        p2096 = v2749;
-                        p2097 = v2750;
                         p2098 = false;
                       } else {
                         p2098 = true;
@@ -3550,12 +3024,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v2290 = p2290;
                             if v2290 {
                               let v2291 = (v2252 & 2147483648u);
-                              p2292 = v2291;
+                              p2295 = v2291;
                             } else {
-                              p2292 = v2289;
+                              p2295 = v2289;
                             }
-                            let v2292 = p2292;
-                            p2295 = v2292;
                           } else {
                             p2295 = 2143289344u;
                           }
@@ -3617,12 +3089,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v2343 = p2343;
                             if v2343 {
                               let v2344 = (v2305 & 2147483648u);
-                              p2345 = v2344;
+                              p2346 = v2344;
                             } else {
-                              p2345 = v2342;
+                              p2346 = v2342;
                             }
-                            let v2345 = p2345;
-                            p2346 = v2345;
                           } else {
                             p2346 = 2143289344u;
                           }
@@ -3633,56 +3103,32 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           let v2350 = bitcast<f32>(v2346);
                           let v2351 = (v2350 * 0.31830987f);
                           let v2352 = (1.0f - v2351);
-                          p2293 = v2349;
-                          p2294 = v2352;
+                          p1779 = v2349;
+                          p1780 = v2352;
                         } else {
-                          p2293 = 0.0f;
-                          p2294 = 0.0f;
+                          p1779 = 0.0f;
+                          p1780 = 0.0f;
                         }
-                        let v2293 = p2293;
-                        let v2294 = p2294;
-                        p2228 = v2293;
-                        p2229 = v2294;
-                        p2230 = v2244;
-                        p2231 = v2245;
-                        p2232 = v2246;
-                        p2233 = v2240;
-                        p2234 = v2239;
-                        p2235 = v2238;
-                        p2236 = v5438;
-                        p2237 = v5435;
+                        p1781 = v2244;
+                        p1782 = v2245;
+                        p1783 = v2246;
+                        p1784 = v2240;
+                        p1785 = v2239;
+                        p1786 = v2238;
+                        p1787 = v5438;
+                        p1788 = v5435;
                       } else {
-                        p2228 = v2088;
-                        p2229 = v2089;
-                        p2230 = v2090;
-                        p2231 = v2091;
-                        p2232 = v2092;
-                        p2233 = v2093;
-                        p2234 = v2094;
-                        p2235 = v2095;
-                        p2236 = v2096;
-                        p2237 = v2097;
+                        p1779 = v2088;
+                        p1780 = v2089;
+                        p1781 = v2090;
+                        p1782 = v2091;
+                        p1783 = v2092;
+                        p1784 = v2093;
+                        p1785 = v2094;
+                        p1786 = v2095;
+                        p1787 = v2096;
+                        p1788 = v2097;
                       }
-                      let v2228 = p2228;
-                      let v2229 = p2229;
-                      let v2230 = p2230;
-                      let v2231 = p2231;
-                      let v2232 = p2232;
-                      let v2233 = p2233;
-                      let v2234 = p2234;
-                      let v2235 = p2235;
-                      let v2236 = p2236;
-                      let v2237 = p2237;
-                      p1779 = v2228;
-                      p1780 = v2229;
-                      p1781 = v2230;
-                      p1782 = v2231;
-                      p1783 = v2232;
-                      p1784 = v2233;
-                      p1785 = v2234;
-                      p1786 = v2235;
-                      p1787 = v2236;
-                      p1788 = v2237;
                       p1789 = false;
                     } else {
                       p1789 = true;
@@ -3934,87 +3380,59 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v2023 = (v1997 * v2021);
                             let v2024 = (v1996 * v2021);
                             let v2025 = (v2024 == 0.0f);
-                            p2009 = v2022;
-                            p2010 = v2023;
-                            p2011 = v2024;
-                            p2012 = false;
-                            p2013 = v2025;
+                            p2014 = v2022;
+                            p2015 = v2023;
+                            p2016 = v2024;
+                            p2026 = false;
+                            p2031 = v2025;
                           } else {
-                            p2012 = true;
-                            p2013 = false;
+                            p2026 = true;
+                            p2031 = false;
                           }
-                          let v2009 = p2009;
-                          let v2010 = p2010;
-                          let v2011 = p2011;
-                          let v2012 = p2012;
-                          let v2013 = p2013;
-                          p2014 = v2009;
-                          p2015 = v2010;
-                          p2016 = v2011;
-                          p2017 = v2012;
-                          p2018 = v2013;
                           p2019 = false;
                         } else {
-                          p2017 = false;
-                          p2018 = false;
+                          p2026 = false;
+                          p2031 = false;
                           p2019 = true;
                         }
                         let v2014 = p2014;
                         let v2015 = p2015;
                         let v2016 = p2016;
-                        let v2017 = p2017;
-                        let v2018 = p2018;
                         let v2019 = p2019;
                         if v2019 {
                           p2027 = 0.0f;
                           p2028 = 0.0f;
-                          p2029 = 0.0f;
-                          p2030 = v2007;
+                          p1938 = 0.0f;
+                          p2026 = v2007;
                           p2031 = v2008;
                         } else {
                           p2027 = v2014;
                           p2028 = v2015;
-                          p2029 = v2016;
-                          p2030 = v2017;
-                          p2031 = v2018;
+                          p1938 = v2016;
                         }
                         let v2027 = p2027;
                         let v2028 = p2028;
-                        let v2029 = p2029;
-                        let v2030 = p2030;
                         let v2031 = p2031;
                         if v2031 {
                           let v2032 = (v2028 == 0.0f);
                           let v2033 = (v2027 == 0.0f);
                           let v2034 = (v2032 & v2033);
                           p2026 = v2034;
-                        } else {
-                          p2026 = v2030;
                         }
                         let v2026 = p2026;
                         if v2026 {
-                          p2035 = v1945;
-                          p2036 = v1944;
-                          p2037 = v1943;
+                          p1940 = v1945;
+                          p1939 = v1944;
+                          p1938 = v1943;
                         } else {
-                          p2035 = v2027;
-                          p2036 = v2028;
-                          p2037 = v2029;
+                          p1940 = v2027;
+                          p1939 = v2028;
                         }
-                        let v2035 = p2035;
-                        let v2036 = p2036;
-                        let v2037 = p2037;
-                        p2038 = v2037;
-                        p2039 = v2036;
-                        p2040 = v2035;
                       } else {
-                        p2038 = v1943;
-                        p2039 = v1944;
-                        p2040 = v1945;
+                        p1938 = v1943;
+                        p1939 = v1944;
+                        p1940 = v1945;
                       }
-                      let v2038 = p2038;
-                      let v2039 = p2039;
-                      let v2040 = p2040;
                       let v5577 = v5490[1u];
                       let v5578 = abs(v1810);
                       let v5579 = abs(v1811);
@@ -4064,9 +3482,6 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       p1935 = v1943;
                       p1936 = v1944;
                       p1937 = v1945;
-                      p1938 = v2038;
-                      p1939 = v2039;
-                      p1940 = v2040;
                       p1941 = v5577;
                       p1942 = v2058;
                     } else {
@@ -4253,12 +3668,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v2955 = select(0.0f, v2953, v2954);
                               let v2956 = !(v2955 < 1.0f);
                               if v2956 {
-                                p2958 = 1.0f;
+                                p2961 = 1.0f;
                               } else {
-                                p2958 = v2955;
+                                p2961 = v2955;
                               }
-                              let v2958 = p2958;
-                              p2961 = v2958;
                             } else {
                               p2961 = 1.0f;
                             }
@@ -4358,21 +3771,16 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             }
                             let v3002 = p3002;
                             let v3020 = (v3002 + v403);
-                            p2959 = v2963;
-                            p2960 = v3020;
+                            p2875 = v2963;
+                            p585 = v3020;
                           } else {
-                            p2959 = v2935;
-                            p2960 = v403;
+                            p2875 = v2935;
+                            p585 = v403;
                           }
-                          let v2959 = p2959;
-                          let v2960 = p2960;
-                          p2874 = v2960;
-                          p2875 = v2959;
                         } else {
-                          p2874 = v403;
+                          p585 = v403;
                           p2875 = v5636;
                         }
-                        let v2874 = p2874;
                         let v2875 = p2875;
                         let v2876 = (v2867 * 2.0f);
                         let v2877 = (v2860 * v2876);
@@ -4448,22 +3856,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         }
                         let v2894 = p2894;
                         let v2923 = (v2894 + v402);
-                        p2872 = v2923;
-                        p2873 = v2874;
+                        p584 = v2923;
                       } else {
-                        p2872 = v402;
-                        p2873 = v403;
+                        p584 = v402;
+                        p585 = v403;
                       }
-                      let v2872 = p2872;
-                      let v2873 = p2873;
-                      p3021 = v2873;
-                      p3022 = v2872;
                     } else {
-                      p3021 = v403;
-                      p3022 = v402;
+                      p585 = v403;
+                      p584 = v402;
                     }
-                    let v3021 = p3021;
-                    let v3022 = p3022;
                     let v3023 = (v5615 > 0.0f);
                     let v3024 = select(false, v3023, v357);
                     if v3024 {
@@ -4517,20 +3918,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v3057 = (v3056 & 1u);
                       let v3058 = (v3057 != 0u);
                       if v3058 {
-                        p3025 = v5611;
-                        p3026 = v5607;
-                        p3027 = v5603;
+                        p3030 = v5611;
+                        p3029 = v5607;
+                        p3028 = v5603;
                       } else {
-                        p3025 = v5596;
-                        p3026 = v5593;
-                        p3027 = v5590;
+                        p3030 = v5596;
+                        p3029 = v5593;
+                        p3028 = v5590;
                       }
-                      let v3025 = p3025;
-                      let v3026 = p3026;
-                      let v3027 = p3027;
-                      p3028 = v3027;
-                      p3029 = v3026;
-                      p3030 = v3025;
                     } else {
                       p3028 = v5590;
                       p3029 = v5593;
@@ -4892,57 +4287,36 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               if v3346 {
                                 let v3347 = (v5902 > v5903);
                                 if v3347 {
-                                  p3359 = v3303;
-                                  p3360 = v3288;
-                                  p3361 = v3284;
-                                  p5904 = 2u;
-                                  p5906 = 0u;
-                                  p5908 = 1u;
-                                  p3365 = v3282;
-                                  p3366 = v3280;
-                                  p3367 = v3281;
+                                  p3348 = v3303;
+                                  p3349 = v3288;
+                                  p3350 = v3284;
+                                  p5926 = 2u;
+                                  p5924 = 0u;
+                                  p5922 = 1u;
+                                  p3354 = v3282;
+                                  p3355 = v3280;
+                                  p3356 = v3281;
                                 } else {
-                                  p3359 = v3308;
-                                  p3360 = v3286;
-                                  p3361 = v3288;
-                                  p5904 = 0u;
-                                  p5906 = 1u;
-                                  p5908 = 2u;
-                                  p3365 = v3280;
-                                  p3366 = v3281;
-                                  p3367 = v3282;
+                                  p3348 = v3308;
+                                  p3349 = v3286;
+                                  p3350 = v3288;
+                                  p5926 = 0u;
+                                  p5924 = 1u;
+                                  p5922 = 2u;
+                                  p3354 = v3280;
+                                  p3355 = v3281;
+                                  p3356 = v3282;
                                 }
-                                let v3359 = p3359;
-                                let v3360 = p3360;
-                                let v3361 = p3361;
-                                let v5904 = p5904;
-                                let v5906 = p5906;
-                                let v5908 = p5908;
-                                let v3365 = p3365;
-                                let v3366 = p3366;
-                                let v3367 = p3367;
-                                p3348 = v3359;
-                                p3349 = v3360;
-                                p3350 = v3361;
-                                p5910 = v5904;
-                                p5912 = v5906;
-                                p5914 = v5908;
-                                p3354 = v3365;
-                                p3355 = v3366;
-                                p3356 = v3367;
                                 p3357 = false;
                               } else {
-                                p5910 = 0u;
-                                p5912 = 0u;
-                                p5914 = 0u;
+                                p5926 = 0u;
+                                p5924 = 0u;
+                                p5922 = 0u;
                                 p3357 = true;
                               }
                               let v3348 = p3348;
                               let v3349 = p3349;
                               let v3350 = p3350;
-                              let v5910 = p5910;
-                              let v5912 = p5912;
-                              let v5914 = p5914;
                               let v3354 = p3354;
                               let v3355 = p3355;
                               let v3356 = p3356;
@@ -4950,51 +4324,30 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               if v3357 {
                                 let v3358 = (v5901 > v5903);
                                 if v3358 {
-                                  p3368 = v3298;
-                                  p3369 = v3284;
-                                  p3370 = v3286;
-                                  p5916 = 1u;
-                                  p5918 = 2u;
-                                  p5920 = 0u;
-                                  p3374 = v3281;
-                                  p3375 = v3282;
-                                  p3376 = v3280;
+                                  p3392 = v3298;
+                                  p3391 = v3284;
+                                  p3390 = v3286;
+                                  p5926 = 1u;
+                                  p5924 = 2u;
+                                  p5922 = 0u;
+                                  p3386 = v3281;
+                                  p3385 = v3282;
+                                  p3384 = v3280;
                                 } else {
-                                  p3368 = v3308;
-                                  p3369 = v3286;
-                                  p3370 = v3288;
-                                  p5916 = 0u;
-                                  p5918 = 1u;
-                                  p5920 = 2u;
-                                  p3374 = v3280;
-                                  p3375 = v3281;
-                                  p3376 = v3282;
+                                  p3392 = v3308;
+                                  p3391 = v3286;
+                                  p3390 = v3288;
+                                  p5926 = 0u;
+                                  p5924 = 1u;
+                                  p5922 = 2u;
+                                  p3386 = v3280;
+                                  p3385 = v3281;
+                                  p3384 = v3282;
                                 }
-                                let v3368 = p3368;
-                                let v3369 = p3369;
-                                let v3370 = p3370;
-                                let v5916 = p5916;
-                                let v5918 = p5918;
-                                let v5920 = p5920;
-                                let v3374 = p3374;
-                                let v3375 = p3375;
-                                let v3376 = p3376;
-                                p3384 = v3376;
-                                p3385 = v3375;
-                                p3386 = v3374;
-                                p5922 = v5920;
-                                p5924 = v5918;
-                                p5926 = v5916;
-                                p3390 = v3370;
-                                p3391 = v3369;
-                                p3392 = v3368;
                               } else {
                                 p3384 = v3356;
                                 p3385 = v3355;
                                 p3386 = v3354;
-                                p5922 = v5914;
-                                p5924 = v5912;
-                                p5926 = v5910;
                                 p3390 = v3350;
                                 p3391 = v3349;
                                 p3392 = v3348;
@@ -5058,17 +4411,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v3438 = select(v3342, v3341, v3437);
                                 p3440 = 1.0f;
                                 p3441 = 0u;
-                                p3442 = 0u;
-                                p3443 = 0u;
+                                p3444 = 0u;
+                                p3445 = 0u;
                                 var done9 = false;
                                 loop {
                                   if done9 { break; }
                                   let v3440 = p3440;
                                   let v3441 = p3441;
-                                  let v3442 = p3442;
-                                  let v3443 = p3443;
-                                  p3444 = v3442;
-                                  p3445 = v3443;
                                   var done10 = false;
                                   loop {
                                     if done10 { break; }
@@ -5184,37 +4533,31 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                             let v5999 = (v5996 + 1u);
                                             r0[v5999] = v5995;
                                             let v3517 = (v3464 + 1u);
-                                            p3518 = v3517;
+                                            p3519 = v3517;
                                           } else {
-                                            p3518 = v3464;
+                                            p3519 = v3464;
                                           }
-                                          let v3518 = p3518;
-                                          p3519 = v3518;
-                                          p3520 = v5994;
+                                          p3462 = v5994;
                                           p3521 = v3509;
                                         } else {
                                           p3519 = v3464;
-                                          p3520 = v3462;
+                                          p3462 = v3462;
                                           p3521 = v3461;
                                         }
                                         let v3519 = p3519;
-                                        let v3520 = p3520;
                                         let v3521 = p3521;
                                         let v6001 = (v5932 == 8u);
                                         p3461 = v3521;
-                                        p3462 = v3520;
                                         p5930 = v5932;
                                         p3464 = v3519;
-                                        p6534 = v3519;
+                                        p3458 = v3519;
                                         p6535 = v3521;
                                         done11 = v6001;
                                       }
-                                      let v6534 = p6534;
                                       let v6535 = p6535;
                                       let v3523 = (v6535 == 4294967295u);
                                       p3456 = v6535;
                                       p3457 = false;
-                                      p3458 = v6534;
                                       p3459 = v3523;
                                     } else {
                                       p3457 = true;
@@ -5443,12 +4786,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                                 let v3714 = select(v3608, v3712, v3713);
                                                 let v3715 = !(v3714 >= 0.0f);
                                                 let v3716 = select(v3714, bitcast<f32>(bits_7fc00000), v3715);
-                                                p3717 = v3716;
+                                                p3720 = v3716;
                                               } else {
-                                                p3717 = v3707;
+                                                p3720 = v3707;
                                               }
-                                              let v3717 = p3717;
-                                              p3720 = v3717;
                                             } else {
                                               p3720 = bitcast<f32>(bits_7fc00000);
                                             }
@@ -5461,16 +4802,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                             let v3726 = (v3722 | v3725);
                                             let v3727 = (v3721 & v3726);
                                             if v3727 {
-                                              p3560 = v6011;
-                                              p3561 = v3720;
+                                              p3718 = v6011;
+                                              p3719 = v3720;
                                             } else {
-                                              p3560 = v3554;
-                                              p3561 = v3555;
+                                              p3718 = v3554;
+                                              p3719 = v3555;
                                             }
-                                            let v3560 = p3560;
-                                            let v3561 = p3561;
-                                            p3718 = v3560;
-                                            p3719 = v3561;
                                           } else {
                                             p3718 = v3554;
                                             p3719 = v3555;
@@ -5481,48 +4818,32 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                           p6002 = v6004;
                                           p3554 = v3718;
                                           p3555 = v3719;
-                                          p6540 = v3718;
-                                          p6541 = v3719;
+                                          p3540 = v3718;
+                                          p3541 = v3719;
                                           done12 = v6045;
                                         }
-                                        let v6540 = p6540;
-                                        let v6541 = p6541;
-                                        p3549 = v6540;
-                                        p3550 = v6541;
-                                        p3551 = true;
-                                        p3552 = false;
+                                        p3748 = true;
+                                        p3729 = false;
                                       } else {
-                                        p3551 = false;
-                                        p3552 = true;
+                                        p3748 = false;
+                                        p3729 = true;
                                       }
-                                      let v3549 = p3549;
-                                      let v3550 = p3550;
-                                      let v3551 = p3551;
-                                      let v3552 = p3552;
-                                      p3540 = v3549;
-                                      p3541 = v3550;
-                                      p3542 = v3551;
-                                      p3543 = v3552;
                                       p3544 = false;
                                     } else {
-                                      p3542 = false;
-                                      p3543 = false;
+                                      p3748 = false;
+                                      p3729 = false;
                                       p3544 = true;
                                     }
                                     let v3540 = p3540;
                                     let v3541 = p3541;
-                                    let v3542 = p3542;
-                                    let v3543 = p3543;
                                     let v3544 = p3544;
                                     if v3544 {
                                       let v3539 = (v3526 != 0u);
-                                      p3728 = true;
+                                      p3747 = true;
                                       p3729 = v3539;
                                     } else {
-                                      p3728 = false;
-                                      p3729 = v3543;
+                                      p3747 = false;
                                     }
-                                    let v3728 = p3728;
                                     let v3729 = p3729;
                                     if v3729 {
                                       p6046 = 0u;
@@ -5832,12 +5153,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                               let v3983 = select(v3826, v3981, v3982);
                                               let v3984 = !(v3983 >= 0.0f);
                                               let v3985 = select(v3983, bitcast<f32>(bits_7fc00000), v3984);
-                                              p3986 = v3985;
+                                              p3989 = v3985;
                                             } else {
-                                              p3986 = v3976;
+                                              p3989 = v3976;
                                             }
-                                            let v3986 = p3986;
-                                            p3989 = v3986;
                                           } else {
                                             p3989 = bitcast<f32>(bits_7fc00000);
                                           }
@@ -5850,16 +5169,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                           let v3995 = (v3991 | v3994);
                                           let v3996 = (v3990 & v3995);
                                           if v3996 {
-                                            p3756 = v6055;
-                                            p3757 = v3989;
+                                            p3987 = v6055;
+                                            p3988 = v3989;
                                           } else {
-                                            p3756 = v3750;
-                                            p3757 = v3751;
+                                            p3987 = v3750;
+                                            p3988 = v3751;
                                           }
-                                          let v3756 = p3756;
-                                          let v3757 = p3757;
-                                          p3987 = v3756;
-                                          p3988 = v3757;
                                         } else {
                                           p3987 = v3750;
                                           p3988 = v3751;
@@ -5870,21 +5185,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                         p6046 = v6048;
                                         p3750 = v3987;
                                         p3751 = v3988;
-                                        p6542 = v3987;
-                                        p6543 = v3988;
+                                        p3745 = v3987;
+                                        p3746 = v3988;
                                         done13 = v6177;
                                       }
-                                      let v6542 = p6542;
-                                      let v6543 = p6543;
-                                      p3745 = v6542;
-                                      p3746 = v6543;
                                       p3747 = false;
                                       p3748 = true;
                                     } else {
                                       p3745 = v3540;
                                       p3746 = v3541;
-                                      p3747 = v3728;
-                                      p3748 = v3542;
                                     }
                                     let v3745 = p3745;
                                     let v3746 = p3746;
@@ -5895,11 +5204,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                       let v3998 = (v3745 != v3441);
                                       let v3999 = select(v3998, true, v3997);
                                       let v4000 = (v3999 != true);
-                                      p4001 = v4000;
+                                      p3536 = v4000;
                                     } else {
-                                      p4001 = v3524;
+                                      p3536 = v3524;
                                     }
-                                    let v4001 = p4001;
                                     if v3747 {
                                       p4025 = false;
                                       p6178 = 0u;
@@ -6154,17 +5462,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                               let v4183 = select(v4172, v4100, v4182);
                                               let v4184 = !(v4183 < v4176);
                                               if v4184 {
-                                                p4185 = v4176;
+                                                p4191 = v4176;
                                               } else {
-                                                p4185 = v4183;
+                                                p4191 = v4183;
                                               }
-                                              let v4185 = p4185;
-                                              p4186 = v4185;
                                             } else {
-                                              p4186 = bitcast<f32>(bits_7fc00000);
+                                              p4191 = bitcast<f32>(bits_7fc00000);
                                             }
-                                            let v4186 = p4186;
-                                            p4191 = v4186;
                                           } else {
                                             p4191 = v4100;
                                           }
@@ -6329,43 +5633,27 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                               let v4335 = (v4334 & v4331);
                                               let v4336 = (v4333 | v4335);
                                               if v4336 {
-                                                p4337 = true;
-                                                p4338 = v6274;
-                                                p4339 = v4191;
+                                                p4342 = true;
+                                                p4188 = v6274;
+                                                p4189 = v4191;
                                               } else {
-                                                p4337 = false;
-                                                p4338 = v4027;
-                                                p4339 = v4028;
+                                                p4342 = false;
+                                                p4188 = v4027;
+                                                p4189 = v4028;
                                               }
-                                              let v4337 = p4337;
-                                              let v4338 = p4338;
-                                              let v4339 = p4339;
-                                              p4234 = v4337;
-                                              p4235 = v4338;
-                                              p4236 = v4339;
                                             } else {
-                                              p4234 = true;
-                                              p4235 = v6274;
-                                              p4236 = v4191;
+                                              p4342 = true;
+                                              p4188 = v6274;
+                                              p4189 = v4191;
                                             }
-                                            let v4234 = p4234;
-                                            let v4235 = p4235;
-                                            let v4236 = p4236;
-                                            p4340 = v4236;
-                                            p4341 = v4235;
-                                            p4342 = v4234;
                                           } else {
-                                            p4340 = v4028;
-                                            p4341 = v4027;
+                                            p4189 = v4028;
+                                            p4188 = v4027;
                                             p4342 = false;
                                           }
-                                          let v4340 = p4340;
-                                          let v4341 = p4341;
                                           let v4342 = p4342;
                                           let v4343 = (v4025 | v4342);
                                           p4187 = v4343;
-                                          p4188 = v4341;
-                                          p4189 = v4340;
                                         } else {
                                           p4187 = v4025;
                                           p4188 = v4027;
@@ -6381,48 +5669,30 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                         p4027 = v4188;
                                         p4028 = v4189;
                                         p6544 = v4188;
-                                        p6545 = v4189;
-                                        p6546 = v4190;
+                                        p3535 = v4189;
+                                        p3536 = v4190;
                                         done14 = v6346;
                                       }
                                       let v6544 = p6544;
-                                      let v6545 = p6545;
-                                      let v6546 = p6546;
-                                      p4020 = v6544;
-                                      p4021 = v6544;
-                                      p4022 = v6544;
-                                      p4023 = v6545;
-                                      p4024 = v6546;
+                                      p3441 = v6544;
+                                      p6547 = v6544;
+                                      p3534 = v6544;
                                     } else {
-                                      p4020 = v3441;
-                                      p4021 = v3745;
-                                      p4022 = v3441;
-                                      p4023 = v3746;
-                                      p4024 = v4001;
+                                      p3441 = v3441;
+                                      p6547 = v3745;
+                                      p3534 = v3441;
+                                      p3535 = v3746;
                                     }
-                                    let v4020 = p4020;
-                                    let v4021 = p4021;
-                                    let v4022 = p4022;
-                                    let v4023 = p4023;
-                                    let v4024 = p4024;
-                                    p3530 = v6536;
-                                    p3531 = v4020;
-                                    p3532 = v4021;
+                                    p3444 = v6536;
                                     p3533 = v6536;
-                                    p3534 = v4022;
-                                    p3535 = v4023;
-                                    p3536 = v4024;
                                   } else {
-                                    p3530 = v6538;
-                                    p3531 = v3441;
+                                    p3444 = v6538;
+                                    p3441 = v3441;
                                     p3533 = v6538;
                                     p3534 = v3441;
                                     p3535 = v3440;
                                     p3536 = v3524;
                                   }
-                                  let v3530 = p3530;
-                                  let v3531 = p3531;
-                                  let v3532 = p3532;
                                   let v3533 = p3533;
                                   let v3534 = p3534;
                                   let v3535 = p3535;
@@ -6434,85 +5704,60 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                       let v6347 = (v3533 * 2u);
                                       let v6348 = (v6347 + 4294967294u);
                                       let v6349 = r0[v6348];
-                                      p4589 = v6349;
+                                      p4350 = v6349;
                                       p4590 = v4356;
-                                      p4591 = false;
+                                      p4354 = false;
                                     } else {
-                                      p4591 = true;
+                                      p4354 = true;
                                     }
-                                    let v4589 = p4589;
                                     let v4590 = p4590;
-                                    let v4591 = p4591;
-                                    p4350 = v4589;
-                                    p4351 = v4590;
-                                    p4352 = v3534;
+                                    p3444 = v4590;
+                                    p3441 = v3534;
                                     p4353 = false;
-                                    p4354 = v4591;
                                   } else {
-                                    p4351 = v3530;
-                                    p4352 = v3531;
                                     p4353 = true;
                                     p4354 = true;
                                   }
                                   let v4350 = p4350;
-                                  let v4351 = p4351;
-                                  let v4352 = p4352;
                                   let v4353 = p4353;
                                   let v4354 = p4354;
                                   let v4355 = (v4353 != true);
                                   p3440 = v3535;
-                                  p3441 = v4352;
-                                  p3442 = v4351;
-                                  p3443 = v4350;
-                                  p6547 = v3532;
-                                  p6548 = v3534;
+                                  p3445 = v4350;
+                                  p4362 = v3534;
                                   p6549 = v3535;
                                   p6550 = v4355;
                                   done9 = v4354;
                                 }
                                 let v6547 = p6547;
-                                let v6548 = p6548;
                                 let v6549 = p6549;
                                 let v6550 = p6550;
                                 if v6550 {
                                   let v4346 = !(v6549 < 1.0f);
                                   if v4346 {
-                                    p4360 = true;
-                                    p4361 = false;
+                                    p3439 = true;
+                                    p4363 = false;
                                   } else {
-                                    p4360 = false;
-                                    p4361 = true;
+                                    p3439 = false;
+                                    p4363 = true;
                                   }
-                                  let v4360 = p4360;
-                                  let v4361 = p4361;
-                                  p4347 = v4360;
-                                  p4348 = v4361;
                                   p4349 = false;
                                 } else {
-                                  p4347 = false;
-                                  p4348 = false;
+                                  p3439 = false;
+                                  p4363 = false;
                                   p4349 = true;
                                 }
-                                let v4347 = p4347;
-                                let v4348 = p4348;
                                 let v4349 = p4349;
                                 if v4349 {
                                   p4362 = v6547;
                                   p4363 = true;
-                                } else {
-                                  p4362 = v6548;
-                                  p4363 = v4348;
                                 }
                                 let v4362 = p4362;
                                 let v4363 = p4363;
                                 if v4363 {
                                   let v4364 = (v4362 == 4294967295u);
-                                  p4365 = v4364;
-                                } else {
-                                  p4365 = v4347;
+                                  p3439 = v4364;
                                 }
-                                let v4365 = p4365;
-                                p3439 = v4365;
                               } else {
                                 p3439 = true;
                               }
@@ -6604,16 +5849,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                         p4500 = v4516;
                                         p4501 = v4513;
                                         p4502 = v4512;
-                                        p6551 = v4512;
+                                        p4416 = v4512;
                                         done15 = v4517;
                                       }
-                                      let v6551 = p6551;
-                                      p4499 = v6551;
                                     } else {
-                                      p4499 = 1.0f;
+                                      p4416 = 1.0f;
                                     }
-                                    let v4499 = p4499;
-                                    p4416 = v4499;
                                     p4417 = false;
                                   } else {
                                     p4417 = true;
@@ -6687,12 +5928,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                       if v4436 {
                                         let v4422 = (v4418 == 2139095040u);
                                         let v4423 = select(bitcast<f32>(bits_7fc00000), v4415, v4422);
-                                        p4462 = v4423;
+                                        p4464 = v4423;
                                       } else {
-                                        p4462 = v4435;
+                                        p4464 = v4435;
                                       }
-                                      let v4462 = p4462;
-                                      p4464 = v4462;
                                     } else {
                                       p4464 = bitcast<f32>(bits_ff800000);
                                     }
@@ -6750,22 +5989,16 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                           let v4496 = (v6373 << (23u & 31u));
                                           let v4497 = (v4496 + v4495);
                                           let v4498 = bitcast<f32>(v4497);
-                                          p4518 = v4498;
+                                          p4463 = v4498;
                                         } else {
-                                          p4518 = 0.0f;
+                                          p4463 = 0.0f;
                                         }
-                                        let v4518 = p4518;
-                                        p4519 = v4518;
                                       } else {
-                                        p4519 = bitcast<f32>(bits_7f800000);
+                                        p4463 = bitcast<f32>(bits_7f800000);
                                       }
-                                      let v4519 = p4519;
-                                      p4520 = v4519;
                                     } else {
-                                      p4520 = v4465;
+                                      p4463 = v4465;
                                     }
-                                    let v4520 = p4520;
-                                    p4463 = v4520;
                                   } else {
                                     p4463 = v4416;
                                   }
@@ -6777,43 +6010,25 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                   let v4528 = (v3237 + v4525);
                                   let v4529 = (v3238 + v4526);
                                   let v4530 = (v3239 + v4527);
-                                  p4521 = v4528;
-                                  p4522 = v4529;
-                                  p4523 = v4530;
+                                  p3380 = v4528;
+                                  p3381 = v4529;
+                                  p3382 = v4530;
                                 } else {
-                                  p4521 = v3237;
-                                  p4522 = v3238;
-                                  p4523 = v3239;
+                                  p3380 = v3237;
+                                  p3381 = v3238;
+                                  p3382 = v3239;
                                 }
-                                let v4521 = p4521;
-                                let v4522 = p4522;
-                                let v4523 = p4523;
-                                p4379 = v4401;
-                                p4380 = v4400;
-                                p4381 = v4399;
-                                p4382 = v4521;
-                                p4383 = v4522;
-                                p4384 = v4523;
+                                p3377 = v4401;
+                                p3378 = v4400;
+                                p3379 = v4399;
                               } else {
-                                p4379 = v3234;
-                                p4380 = v3235;
-                                p4381 = v3236;
-                                p4382 = v3237;
-                                p4383 = v3238;
-                                p4384 = v3239;
+                                p3377 = v3234;
+                                p3378 = v3235;
+                                p3379 = v3236;
+                                p3380 = v3237;
+                                p3381 = v3238;
+                                p3382 = v3239;
                               }
-                              let v4379 = p4379;
-                              let v4380 = p4380;
-                              let v4381 = p4381;
-                              let v4382 = p4382;
-                              let v4383 = p4383;
-                              let v4384 = p4384;
-                              p3377 = v4379;
-                              p3378 = v4380;
-                              p3379 = v4381;
-                              p3380 = v4382;
-                              p3381 = v4383;
-                              p3382 = v4384;
                               p3383 = v3290;
                             } else {
                               p3377 = v3234;
@@ -6841,77 +6056,35 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             p3239 = v3382;
                             p3240 = v4372;
                             p3241 = v3383;
-                            p6552 = v3377;
-                            p6553 = v3378;
-                            p6554 = v3379;
-                            p6555 = v3380;
-                            p6556 = v3381;
-                            p6557 = v3382;
-                            p6558 = v3383;
+                            p4544 = v3377;
+                            p4543 = v3378;
+                            p4542 = v3379;
+                            p4541 = v3380;
+                            p4540 = v3381;
+                            p4539 = v3382;
+                            p583 = v3383;
                             done8 = v4373;
                           }
-                          let v6552 = p6552;
-                          let v6553 = p6553;
-                          let v6554 = p6554;
-                          let v6555 = p6555;
-                          let v6556 = p6556;
-                          let v6557 = p6557;
-                          let v6558 = p6558;
-                          p3227 = v6552;
-                          p3228 = v6553;
-                          p3229 = v6554;
-                          p3230 = v6555;
-                          p3231 = v6556;
-                          p3232 = v6557;
-                          p3233 = v6558;
                         } else {
-                          p3227 = v3202;
-                          p3228 = v3201;
-                          p3229 = v3200;
-                          p3230 = 0.0f;
-                          p3231 = 0.0f;
-                          p3232 = 0.0f;
-                          p3233 = v401;
+                          p4544 = v3202;
+                          p4543 = v3201;
+                          p4542 = v3200;
+                          p4541 = 0.0f;
+                          p4540 = 0.0f;
+                          p4539 = 0.0f;
+                          p583 = v401;
                         }
-                        let v3227 = p3227;
-                        let v3228 = p3228;
-                        let v3229 = p3229;
-                        let v3230 = p3230;
-                        let v3231 = p3231;
-                        let v3232 = p3232;
-                        let v3233 = p3233;
-                        p4531 = v3227;
-                        p4532 = v3228;
-                        p4533 = v3229;
-                        p4534 = v3230;
-                        p4535 = v3231;
-                        p4536 = v3232;
-                        p4537 = v3233;
                       } else {
-                        p4531 = v3202;
-                        p4532 = v3201;
-                        p4533 = v3200;
-                        p4534 = 0.0f;
-                        p4535 = 0.0f;
-                        p4536 = 0.0f;
-                        p4537 = v401;
+                        p4544 = v3202;
+                        p4543 = v3201;
+                        p4542 = v3200;
+                        p4541 = 0.0f;
+                        p4540 = 0.0f;
+                        p4539 = 0.0f;
+                        p583 = v401;
                       }
-                      let v4531 = p4531;
-                      let v4532 = p4532;
-                      let v4533 = p4533;
-                      let v4534 = p4534;
-                      let v4535 = p4535;
-                      let v4536 = p4536;
-                      let v4537 = p4537;
-                      p4538 = v4537;
-                      p4539 = v4536;
-                      p4540 = v4535;
-                      p4541 = v4534;
-                      p4542 = v4533;
-                      p4543 = v4532;
-                      p4544 = v4531;
                     } else {
-                      p4538 = v401;
+                      p583 = v401;
                       p4539 = 0.0f;
                       p4540 = 0.0f;
                       p4541 = 0.0f;
@@ -6919,7 +6092,6 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       p4543 = v3201;
                       p4544 = v3202;
                     }
-                    let v4538 = p4538;
                     let v4539 = p4539;
                     let v4540 = p4540;
                     let v4541 = p4541;
@@ -6932,34 +6104,16 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v4548 = (v4541 + v4545);
                     let v4549 = (v4540 + v4546);
                     let v4550 = (v4539 + v4547);
-                    p2751 = v4548;
-                    p2752 = v4549;
-                    p2753 = v4550;
-                    p2754 = v4538;
-                    p2755 = v3022;
-                    p2756 = v3021;
-                    p2757 = false;
+                    p580 = v4548;
+                    p581 = v4549;
+                    p582 = v4550;
+                    p587 = false;
                   } else {
-                    p2757 = true;
+                    p587 = true;
                   }
-                  let v2751 = p2751;
-                  let v2752 = p2752;
-                  let v2753 = p2753;
-                  let v2754 = p2754;
-                  let v2755 = p2755;
-                  let v2756 = p2756;
-                  let v2757 = p2757;
-                  p580 = v2751;
-                  p581 = v2752;
-                  p582 = v2753;
-                  p583 = v2754;
-                  p584 = v2755;
-                  p585 = v2756;
                   p586 = v564;
-                  p587 = v2757;
                 } else {
                   p586 = v545;
-                  p587 = v546;
                 }
                 let v580 = p580;
                 let v581 = p581;
@@ -7051,12 +6205,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v1593 = p1593;
                         if v1593 {
                           let v1594 = (v1555 & 2147483648u);
-                          p1595 = v1594;
+                          p1600 = v1594;
                         } else {
-                          p1595 = v1592;
+                          p1600 = v1592;
                         }
-                        let v1595 = p1595;
-                        p1600 = v1595;
                       } else {
                         p1600 = 2143289344u;
                       }
@@ -7118,12 +6270,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v1648 = p1648;
                         if v1648 {
                           let v1649 = (v1610 & 2147483648u);
-                          p1650 = v1649;
+                          p1651 = v1649;
                         } else {
-                          p1650 = v1647;
+                          p1651 = v1647;
                         }
-                        let v1650 = p1650;
-                        p1651 = v1650;
                       } else {
                         p1651 = 2143289344u;
                       }
@@ -7279,21 +6429,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1772 = (v1734 + v1769);
                       let v1773 = (v1735 + v1770);
                       let v1774 = (v1736 + v1771);
-                      p1596 = v1772;
-                      p1597 = v1773;
-                      p1598 = v1774;
-                      p1599 = false;
+                      p1536 = v1772;
+                      p1537 = v1773;
+                      p1538 = v1774;
+                      p1539 = false;
                     } else {
-                      p1599 = true;
+                      p1539 = true;
                     }
-                    let v1596 = p1596;
-                    let v1597 = p1597;
-                    let v1598 = p1598;
-                    let v1599 = p1599;
-                    p1536 = v1596;
-                    p1537 = v1597;
-                    p1538 = v1598;
-                    p1539 = v1599;
                   } else {
                     p1539 = v369;
                   }
@@ -7324,20 +6466,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1533 = (v6467 + v1530);
                     let v1534 = (v6469 + v1531);
                     let v1535 = (v6471 + v1532);
-                    p4551 = v1533;
-                    p4552 = v1534;
-                    p4553 = v1535;
+                    p1509 = v1533;
+                    p1510 = v1534;
+                    p1511 = v1535;
                   } else {
-                    p4551 = v1536;
-                    p4552 = v1537;
-                    p4553 = v1538;
+                    p1509 = v1536;
+                    p1510 = v1537;
+                    p1511 = v1538;
                   }
-                  let v4551 = p4551;
-                  let v4552 = p4552;
-                  let v4553 = p4553;
-                  p1509 = v4551;
-                  p1510 = v4552;
-                  p1511 = v4553;
                   p1512 = v401;
                   p1513 = v402;
                   p1514 = v403;
@@ -7370,86 +6506,38 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p401 = v1512;
                 p402 = v1513;
                 p403 = v1514;
-                p6559 = v1512;
-                p6560 = v1513;
-                p6561 = v1514;
-                p6562 = v4557;
-                p6563 = v4558;
-                p6564 = v4559;
+                p138 = v1512;
+                p139 = v1513;
+                p140 = v1514;
+                p136 = v4557;
+                p137 = v4558;
+                p141 = v4559;
                 done0 = v4561;
               }
-              let v6559 = p6559;
-              let v6560 = p6560;
-              let v6561 = p6561;
-              let v6562 = p6562;
-              let v6563 = p6563;
-              let v6564 = p6564;
-              p391 = v6562;
-              p392 = v6563;
-              p393 = v6564;
-              p394 = v6559;
-              p395 = v6560;
-              p396 = v6561;
             } else {
-              p391 = 0.0f;
-              p392 = 0.0f;
-              p393 = 0.0f;
-              p394 = 0u;
-              p395 = 0u;
-              p396 = 0u;
+              p136 = 0.0f;
+              p137 = 0.0f;
+              p141 = 0.0f;
+              p138 = 0u;
+              p139 = 0u;
+              p140 = 0u;
             }
-            let v391 = p391;
-            let v392 = p392;
-            let v393 = p393;
-            let v394 = p394;
-            let v395 = p395;
-            let v396 = p396;
-            p379 = v391;
-            p380 = v392;
-            p381 = v393;
-            p382 = v394;
-            p383 = v395;
-            p384 = v396;
           } else {
-            p379 = 0.0f;
-            p380 = 0.0f;
-            p381 = 0.0f;
-            p382 = 0u;
-            p383 = 0u;
-            p384 = 0u;
+            p136 = 0.0f;
+            p137 = 0.0f;
+            p141 = 0.0f;
+            p138 = 0u;
+            p139 = 0u;
+            p140 = 0u;
           }
-          let v379 = p379;
-          let v380 = p380;
-          let v381 = p381;
-          let v382 = p382;
-          let v383 = p383;
-          let v384 = p384;
-          p385 = v384;
-          p386 = v383;
-          p387 = v382;
-          p388 = v381;
-          p389 = v380;
-          p390 = v379;
         } else {
-          p385 = 0u;
-          p386 = 0u;
-          p387 = 0u;
-          p388 = 0.0f;
-          p389 = 0.0f;
-          p390 = 0.0f;
+          p140 = 0u;
+          p139 = 0u;
+          p138 = 0u;
+          p141 = 0.0f;
+          p137 = 0.0f;
+          p136 = 0.0f;
         }
-        let v385 = p385;
-        let v386 = p386;
-        let v387 = p387;
-        let v388 = p388;
-        let v389 = p389;
-        let v390 = p390;
-        p136 = v390;
-        p137 = v389;
-        p138 = v387;
-        p139 = v386;
-        p140 = v385;
-        p141 = v388;
       } else {
         p136 = 0.0f;
         p137 = 0.0f;

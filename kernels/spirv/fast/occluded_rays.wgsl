@@ -7,26 +7,8 @@ var<private> bits_7fc00000: u32 = 2143289344u;
 @compute @workgroup_size(64, 1, 1)
 fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 193>;
-  var p92: f32;
-  var p93: f32;
-  var p94: bool;
-  var p118: f32;
-  var p119: f32;
-  var p120: bool;
   var p121: bool;
-  var p112: bool;
   var p113: bool;
-  var p96: f32;
-  var p97: f32;
-  var p98: f32;
-  var p99: f32;
-  var p100: f32;
-  var p1258: u32;
-  var p1260: u32;
-  var p1262: u32;
-  var p104: f32;
-  var p105: f32;
-  var p106: f32;
   var p107: bool;
   var p126: f32;
   var p127: f32;
@@ -41,25 +23,19 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
   var p136: f32;
   var p168: f32;
   var p169: u32;
-  var p170: u32;
-  var p171: u32;
   var p172: u32;
   var p173: u32;
   var p189: u32;
   var p190: u32;
   var p1276: u32;
   var p192: u32;
-  var p246: u32;
   var p247: u32;
-  var p248: u32;
   var p249: u32;
-  var p1724: u32;
   var p1725: u32;
   var p184: u32;
   var p185: bool;
   var p186: u32;
   var p187: bool;
-  var p1726: u32;
   var p1727: u32;
   var p1728: u32;
   var p1729: bool;
@@ -68,77 +44,43 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
   var p1375: u32;
   var p569: u32;
   var p570: f32;
-  var p805: f32;
   var p808: f32;
-  var p575: u32;
-  var p576: f32;
   var p806: u32;
   var p807: f32;
-  var p1730: u32;
-  var p1731: f32;
   var p565: u32;
   var p566: f32;
   var p567: bool;
   var p1507: u32;
   var p352: u32;
   var p353: f32;
-  var p515: f32;
   var p518: f32;
-  var p358: u32;
-  var p359: f32;
   var p516: u32;
   var p517: f32;
-  var p1732: u32;
-  var p1733: f32;
   var p349: u32;
   var p350: f32;
   var p816: u32;
   var p817: f32;
-  var p818: bool;
   var p819: bool;
   var p849: bool;
   var p1551: u32;
   var p851: u32;
   var p852: f32;
-  var p1009: f32;
-  var p1010: f32;
   var p1015: f32;
   var p1061: f32;
   var p1104: f32;
   var p1147: f32;
-  var p1161: bool;
-  var p1162: u32;
-  var p1163: f32;
-  var p1058: bool;
-  var p1059: u32;
-  var p1060: f32;
-  var p1164: f32;
-  var p1165: u32;
   var p1166: bool;
   var p1011: bool;
   var p1012: u32;
   var p1013: f32;
   var p1734: u32;
-  var p1735: f32;
-  var p1736: bool;
-  var p845: u32;
-  var p846: u32;
-  var p847: f32;
-  var p848: bool;
-  var p256: u32;
   var p257: u32;
   var p258: u32;
   var p259: f32;
   var p260: bool;
-  var p1186: u32;
   var p1187: u32;
-  var p1188: bool;
   var p1171: u32;
-  var p1172: u32;
-  var p1173: bool;
   var p1174: bool;
-  var p1737: u32;
-  var p1738: u32;
   var p1739: f32;
   var p1740: bool;
   var p1181: u32;
@@ -231,79 +173,54 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
         let v1253 = bitcast<f32>(v1252);
         let v124 = (v1253 > 0.0f);
         let v125 = select(0.0f, v1253, v124);
-        p92 = v125;
-        p93 = v1253;
-        p94 = false;
+        p136 = v125;
+        p135 = v1253;
+        p113 = false;
       } else {
-        p94 = true;
+        p113 = true;
       }
-      let v92 = p92;
-      let v93 = p93;
-      let v94 = p94;
-      p118 = v92;
-      p119 = v93;
-      p120 = v94;
       p121 = false;
     } else {
-      p120 = false;
+      p113 = false;
       p121 = true;
     }
-    let v118 = p118;
-    let v119 = p119;
-    let v120 = p120;
     let v121 = p121;
     if v121 {
       let v95 = !(v1247 > v1249);
-      p112 = true;
+      p107 = true;
       p113 = v95;
     } else {
-      p112 = false;
-      p113 = v120;
+      p107 = false;
     }
-    let v112 = p112;
     let v113 = p113;
     if v113 {
       let v1256 = v1227[3u];
       let v1257 = bitcast<f32>(v1256);
       let v116 = (v1257 > 0.0f);
       let v117 = select(0.0f, v1257, v116);
-      p96 = v117;
-      p97 = v1257;
-      p98 = v47;
-      p99 = v29;
-      p100 = v28;
-      p1258 = 0u;
-      p1260 = 1u;
-      p1262 = 2u;
-      p104 = v1229;
-      p105 = v1233;
-      p106 = v1237;
+      p136 = v117;
+      p135 = v1257;
+      p134 = v47;
+      p133 = v29;
+      p132 = v28;
+      p1272 = 0u;
+      p1270 = 1u;
+      p1268 = 2u;
+      p128 = v1229;
+      p127 = v1233;
+      p126 = v1237;
       p107 = false;
     } else {
-      p96 = v118;
-      p97 = v119;
-      p98 = v42;
-      p99 = v28;
-      p100 = v30;
-      p1258 = 2u;
-      p1260 = 0u;
-      p1262 = 1u;
-      p104 = v1237;
-      p105 = v1229;
-      p106 = v1233;
-      p107 = v112;
+      p134 = v42;
+      p133 = v28;
+      p132 = v30;
+      p1272 = 2u;
+      p1270 = 0u;
+      p1268 = 1u;
+      p128 = v1237;
+      p127 = v1229;
+      p126 = v1233;
     }
-    let v96 = p96;
-    let v97 = p97;
-    let v98 = p98;
-    let v99 = p99;
-    let v100 = p100;
-    let v1258 = p1258;
-    let v1260 = p1260;
-    let v1262 = p1262;
-    let v104 = p104;
-    let v105 = p105;
-    let v106 = p106;
     let v107 = p107;
     if v107 {
       let v1266 = v1227[3u];
@@ -321,18 +238,6 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
       p134 = v37;
       p135 = v1267;
       p136 = v111;
-    } else {
-      p126 = v106;
-      p127 = v105;
-      p128 = v104;
-      p1268 = v1262;
-      p1270 = v1260;
-      p1272 = v1258;
-      p132 = v100;
-      p133 = v99;
-      p134 = v98;
-      p135 = v97;
-      p136 = v96;
     }
     let v126 = p126;
     let v127 = p127;
@@ -378,17 +283,13 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
       let v166 = select(v86, v85, v165);
       p168 = v1225;
       p169 = 0u;
-      p170 = 0u;
-      p171 = 0u;
+      p172 = 0u;
+      p173 = 0u;
       var done0 = false;
       loop {
         if done0 { break; }
         let v168 = p168;
         let v169 = p169;
-        let v170 = p170;
-        let v171 = p171;
-        p172 = v170;
-        p173 = v171;
         var done1 = false;
         loop {
           if done1 { break; }
@@ -504,37 +405,31 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                   let v1345 = (v1342 + 1u);
                   r0[v1345] = v1341;
                   let v245 = (v192 + 1u);
-                  p246 = v245;
+                  p247 = v245;
                 } else {
-                  p246 = v192;
+                  p247 = v192;
                 }
-                let v246 = p246;
-                p247 = v246;
-                p248 = v1340;
+                p190 = v1340;
                 p249 = v237;
               } else {
                 p247 = v192;
-                p248 = v190;
+                p190 = v190;
                 p249 = v189;
               }
               let v247 = p247;
-              let v248 = p248;
               let v249 = p249;
               let v1347 = (v1278 == 8u);
               p189 = v249;
-              p190 = v248;
               p1276 = v1278;
               p192 = v247;
-              p1724 = v247;
+              p186 = v247;
               p1725 = v249;
               done2 = v1347;
             }
-            let v1724 = p1724;
             let v1725 = p1725;
             let v251 = (v1725 == 4294967295u);
             p184 = v1725;
             p185 = false;
-            p186 = v1724;
             p187 = v251;
           } else {
             p185 = true;
@@ -547,13 +442,12 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
           let v188 = (v185 != true);
           p172 = v186;
           p173 = v184;
-          p1726 = v172;
+          p257 = v172;
           p1727 = v173;
           p1728 = v186;
           p1729 = v188;
           done1 = v187;
         }
-        let v1726 = p1726;
         let v1727 = p1727;
         let v1728 = p1728;
         let v1729 = p1729;
@@ -892,12 +786,10 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                       let v802 = select(v645, v800, v801);
                       let v803 = !(v802 >= v136);
                       let v804 = select(v802, bitcast<f32>(bits_7fc00000), v803);
-                      p805 = v804;
+                      p808 = v804;
                     } else {
-                      p805 = v795;
+                      p808 = v795;
                     }
-                    let v805 = p805;
-                    p808 = v805;
                   } else {
                     p808 = bitcast<f32>(bits_7fc00000);
                   }
@@ -910,16 +802,12 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                   let v814 = (v810 | v813);
                   let v815 = (v809 & v814);
                   if v815 {
-                    p575 = v1384;
-                    p576 = v808;
+                    p806 = v1384;
+                    p807 = v808;
                   } else {
-                    p575 = v569;
-                    p576 = v570;
+                    p806 = v569;
+                    p807 = v570;
                   }
-                  let v575 = p575;
-                  let v576 = p576;
-                  p806 = v575;
-                  p807 = v576;
                 } else {
                   p806 = v569;
                   p807 = v570;
@@ -930,14 +818,10 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                 p1375 = v1377;
                 p569 = v806;
                 p570 = v807;
-                p1730 = v806;
-                p1731 = v807;
+                p565 = v806;
+                p566 = v807;
                 done3 = v1506;
               }
-              let v1730 = p1730;
-              let v1731 = p1731;
-              p565 = v1730;
-              p566 = v1731;
               p567 = false;
             } else {
               p567 = true;
@@ -1155,12 +1039,10 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                       let v512 = select(v406, v510, v511);
                       let v513 = !(v512 >= v136);
                       let v514 = select(v512, bitcast<f32>(bits_7fc00000), v513);
-                      p515 = v514;
+                      p518 = v514;
                     } else {
-                      p515 = v505;
+                      p518 = v505;
                     }
-                    let v515 = p515;
-                    p518 = v515;
                   } else {
                     p518 = bitcast<f32>(bits_7fc00000);
                   }
@@ -1173,16 +1055,12 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                   let v524 = (v520 | v523);
                   let v525 = (v519 & v524);
                   if v525 {
-                    p358 = v1516;
-                    p359 = v518;
+                    p516 = v1516;
+                    p517 = v518;
                   } else {
-                    p358 = v352;
-                    p359 = v353;
+                    p516 = v352;
+                    p517 = v353;
                   }
-                  let v358 = p358;
-                  let v359 = p359;
-                  p516 = v358;
-                  p517 = v359;
                 } else {
                   p516 = v352;
                   p517 = v353;
@@ -1193,14 +1071,10 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                 p1507 = v1509;
                 p352 = v516;
                 p353 = v517;
-                p1732 = v516;
-                p1733 = v517;
+                p349 = v516;
+                p350 = v517;
                 done4 = v1550;
               }
-              let v1732 = p1732;
-              let v1733 = p1733;
-              p349 = v1732;
-              p350 = v1733;
             } else {
               p349 = v565;
               p350 = v566;
@@ -1213,15 +1087,14 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
             let v823 = (v822 != true);
             p816 = v349;
             p817 = v350;
-            p818 = v823;
+            p260 = v823;
             p819 = false;
           } else {
-            p818 = v252;
+            p260 = v252;
             p819 = true;
           }
           let v816 = p816;
           let v817 = p817;
-          let v818 = p818;
           let v819 = p819;
           if v819 {
             let v824 = (v1727 & 536870911u);
@@ -1478,17 +1351,13 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                     let v1007 = select(v996, v924, v1006);
                     let v1008 = !(v1007 < v1000);
                     if v1008 {
-                      p1009 = v1000;
+                      p1015 = v1000;
                     } else {
-                      p1009 = v1007;
+                      p1015 = v1007;
                     }
-                    let v1009 = p1009;
-                    p1010 = v1009;
                   } else {
-                    p1010 = bitcast<f32>(bits_7fc00000);
+                    p1015 = bitcast<f32>(bits_7fc00000);
                   }
-                  let v1010 = p1010;
-                  p1015 = v1010;
                 } else {
                   p1015 = v924;
                 }
@@ -1653,43 +1522,27 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
                     let v1159 = (v1158 & v1155);
                     let v1160 = (v1157 | v1159);
                     if v1160 {
-                      p1161 = true;
-                      p1162 = v1647;
-                      p1163 = v1015;
+                      p1166 = true;
+                      p1012 = v1647;
+                      p1013 = v1015;
                     } else {
-                      p1161 = false;
-                      p1162 = v851;
-                      p1163 = v852;
+                      p1166 = false;
+                      p1012 = v851;
+                      p1013 = v852;
                     }
-                    let v1161 = p1161;
-                    let v1162 = p1162;
-                    let v1163 = p1163;
-                    p1058 = v1161;
-                    p1059 = v1162;
-                    p1060 = v1163;
                   } else {
-                    p1058 = true;
-                    p1059 = v1647;
-                    p1060 = v1015;
+                    p1166 = true;
+                    p1012 = v1647;
+                    p1013 = v1015;
                   }
-                  let v1058 = p1058;
-                  let v1059 = p1059;
-                  let v1060 = p1060;
-                  p1164 = v1060;
-                  p1165 = v1059;
-                  p1166 = v1058;
                 } else {
-                  p1164 = v852;
-                  p1165 = v851;
+                  p1013 = v852;
+                  p1012 = v851;
                   p1166 = false;
                 }
-                let v1164 = p1164;
-                let v1165 = p1165;
                 let v1166 = p1166;
                 let v1167 = (v849 | v1166);
                 p1011 = v1167;
-                p1012 = v1165;
-                p1013 = v1164;
               } else {
                 p1011 = v849;
                 p1012 = v851;
@@ -1705,39 +1558,24 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
               p851 = v1012;
               p852 = v1013;
               p1734 = v1012;
-              p1735 = v1013;
-              p1736 = v1014;
+              p259 = v1013;
+              p260 = v1014;
               done5 = v1719;
             }
             let v1734 = p1734;
-            let v1735 = p1735;
-            let v1736 = p1736;
-            p845 = v1734;
-            p846 = v1734;
-            p847 = v1735;
-            p848 = v1736;
+            p1182 = v1734;
+            p258 = v1734;
           } else {
-            p845 = v816;
-            p846 = v169;
-            p847 = v817;
-            p848 = v818;
+            p1182 = v816;
+            p258 = v169;
+            p259 = v817;
           }
-          let v845 = p845;
-          let v846 = p846;
-          let v847 = p847;
-          let v848 = p848;
-          p256 = v845;
-          p257 = v1726;
-          p258 = v846;
-          p259 = v847;
-          p260 = v848;
         } else {
           p257 = v1728;
           p258 = v169;
           p259 = v168;
           p260 = v252;
         }
-        let v256 = p256;
         let v257 = p257;
         let v258 = p258;
         let v259 = p259;
@@ -1749,48 +1587,35 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
             let v1720 = (v257 * 2u);
             let v1721 = (v1720 + 4294967294u);
             let v1722 = r0[v1721];
-            p1186 = v1722;
+            p1171 = v1722;
             p1187 = v1175;
-            p1188 = false;
+            p1174 = false;
           } else {
-            p1188 = true;
+            p1174 = true;
           }
-          let v1186 = p1186;
           let v1187 = p1187;
-          let v1188 = p1188;
-          p1171 = v1186;
-          p1172 = v1187;
-          p1173 = false;
-          p1174 = v1188;
+          p172 = v1187;
+          p1740 = false;
         } else {
-          p1172 = v257;
-          p1173 = true;
+          p172 = v257;
+          p1740 = true;
           p1174 = true;
         }
         let v1171 = p1171;
-        let v1172 = p1172;
-        let v1173 = p1173;
         let v1174 = p1174;
         p168 = v259;
         p169 = v258;
-        p170 = v1172;
-        p171 = v1171;
-        p1737 = v256;
-        p1738 = v258;
+        p173 = v1171;
+        p1181 = v258;
         p1739 = v259;
-        p1740 = v1173;
         done0 = v1174;
       }
-      let v1737 = p1737;
-      let v1738 = p1738;
       let v1739 = p1739;
       let v1740 = p1740;
       let v1189 = (v1740 != true);
       if v1189 {
         let v1170 = (v1739 < v1225);
-        if v1170 {
-          p1181 = v1738;
-        } else {
+        if !v1170 {
           p1181 = 4294967295u;
         }
         let v1181 = p1181;
@@ -1801,9 +1626,7 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
       }
       let v1179 = p1179;
       let v1180 = p1180;
-      if v1180 {
-        p1182 = v1737;
-      } else {
+      if !v1180 {
         p1182 = v1179;
       }
       let v1182 = p1182;

@@ -8,34 +8,7 @@ var<private> bits_7fc00000: u32 = 2143289344u;
 @compute @workgroup_size(8, 8, 1)
 fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 193>;
-  var p133: f32;
-  var p134: f32;
-  var p135: f32;
-  var p1200: u32;
-  var p1202: u32;
-  var p1204: u32;
-  var p139: f32;
-  var p140: f32;
-  var p141: f32;
-  var p122: f32;
-  var p123: f32;
-  var p124: f32;
-  var p1206: u32;
-  var p1208: u32;
-  var p1210: u32;
-  var p128: f32;
-  var p129: f32;
-  var p130: f32;
   var p131: bool;
-  var p142: f32;
-  var p143: f32;
-  var p144: f32;
-  var p1212: u32;
-  var p1214: u32;
-  var p1216: u32;
-  var p148: f32;
-  var p149: f32;
-  var p150: f32;
   var p151: f32;
   var p152: f32;
   var p153: f32;
@@ -47,26 +20,19 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p159: f32;
   var p210: f32;
   var p211: u32;
-  var p212: u32;
   var p213: f32;
-  var p214: u32;
   var p215: u32;
   var p216: u32;
   var p231: u32;
   var p232: u32;
   var p1226: u32;
   var p234: u32;
-  var p288: u32;
   var p289: u32;
-  var p290: u32;
   var p291: u32;
-  var p1660: u32;
   var p1661: u32;
   var p227: u32;
-  var p228: bool;
   var p229: u32;
   var p230: bool;
-  var p1662: u32;
   var p1663: u32;
   var p1664: bool;
   var p1665: u32;
@@ -74,82 +40,46 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1298: u32;
   var p323: u32;
   var p324: f32;
-  var p486: f32;
   var p489: f32;
-  var p329: u32;
-  var p330: f32;
   var p487: u32;
   var p488: f32;
-  var p1666: u32;
-  var p1667: f32;
-  var p318: u32;
-  var p319: f32;
-  var p320: bool;
-  var p321: bool;
   var p309: u32;
   var p310: f32;
-  var p311: bool;
-  var p312: bool;
   var p313: bool;
-  var p497: bool;
   var p498: bool;
   var p1342: u32;
   var p519: u32;
   var p520: f32;
-  var p755: f32;
   var p758: f32;
-  var p525: u32;
-  var p526: f32;
   var p756: u32;
   var p757: f32;
-  var p1668: u32;
-  var p1669: f32;
   var p514: u32;
   var p515: f32;
   var p516: bool;
   var p517: bool;
-  var p769: bool;
   var p792: bool;
   var p1474: u32;
   var p794: u32;
   var p795: f32;
-  var p952: f32;
-  var p953: f32;
   var p957: f32;
   var p1003: f32;
   var p1046: f32;
   var p1089: f32;
-  var p1103: bool;
-  var p1104: u32;
-  var p1105: f32;
-  var p1000: bool;
-  var p1001: u32;
-  var p1002: f32;
-  var p1106: f32;
-  var p1107: u32;
   var p1108: bool;
   var p954: bool;
   var p955: u32;
   var p956: f32;
-  var p1670: bool;
   var p1671: u32;
-  var p1672: f32;
   var p788: u32;
-  var p789: u32;
   var p790: f32;
   var p791: bool;
-  var p306: f32;
-  var p307: u32;
   var p299: f32;
-  var p300: u32;
   var p301: u32;
   var p302: f32;
   var p1111: u32;
   var p1132: bool;
   var p1133: u32;
-  var p1646: u32;
   var p1135: bool;
-  var p1673: u32;
   var p1674: u32;
   var p1675: bool;
   var p1113: u32;
@@ -269,112 +199,57 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
       if v120 {
         let v121 = (v1198 > v1199);
         if v121 {
-          p133 = v75;
-          p134 = v50;
-          p135 = v54;
-          p1200 = 2u;
-          p1202 = 0u;
-          p1204 = 1u;
-          p139 = v1185;
-          p140 = v1181;
-          p141 = v1183;
+          p159 = v75;
+          p158 = v50;
+          p157 = v54;
+          p1222 = 2u;
+          p1220 = 0u;
+          p1218 = 1u;
+          p153 = v1185;
+          p152 = v1181;
+          p151 = v1183;
         } else {
-          p133 = v80;
-          p134 = v52;
-          p135 = v50;
-          p1200 = 0u;
-          p1202 = 1u;
-          p1204 = 2u;
-          p139 = v1181;
-          p140 = v1183;
-          p141 = v1185;
+          p159 = v80;
+          p158 = v52;
+          p157 = v50;
+          p1222 = 0u;
+          p1220 = 1u;
+          p1218 = 2u;
+          p153 = v1181;
+          p152 = v1183;
+          p151 = v1185;
         }
-        let v133 = p133;
-        let v134 = p134;
-        let v135 = p135;
-        let v1200 = p1200;
-        let v1202 = p1202;
-        let v1204 = p1204;
-        let v139 = p139;
-        let v140 = p140;
-        let v141 = p141;
-        p122 = v133;
-        p123 = v134;
-        p124 = v135;
-        p1206 = v1200;
-        p1208 = v1202;
-        p1210 = v1204;
-        p128 = v139;
-        p129 = v140;
-        p130 = v141;
         p131 = false;
       } else {
-        p1206 = 0u;
-        p1208 = 0u;
-        p1210 = 0u;
+        p1222 = 0u;
+        p1220 = 0u;
+        p1218 = 0u;
         p131 = true;
       }
-      let v122 = p122;
-      let v123 = p123;
-      let v124 = p124;
-      let v1206 = p1206;
-      let v1208 = p1208;
-      let v1210 = p1210;
-      let v128 = p128;
-      let v129 = p129;
-      let v130 = p130;
       let v131 = p131;
       if v131 {
         let v132 = (v1197 > v1199);
         if v132 {
-          p142 = v70;
-          p143 = v54;
-          p144 = v52;
-          p1212 = 1u;
-          p1214 = 2u;
-          p1216 = 0u;
-          p148 = v1183;
-          p149 = v1185;
-          p150 = v1181;
+          p159 = v70;
+          p158 = v54;
+          p157 = v52;
+          p1222 = 1u;
+          p1220 = 2u;
+          p1218 = 0u;
+          p153 = v1183;
+          p152 = v1185;
+          p151 = v1181;
         } else {
-          p142 = v80;
-          p143 = v52;
-          p144 = v50;
-          p1212 = 0u;
-          p1214 = 1u;
-          p1216 = 2u;
-          p148 = v1181;
-          p149 = v1183;
-          p150 = v1185;
+          p159 = v80;
+          p158 = v52;
+          p157 = v50;
+          p1222 = 0u;
+          p1220 = 1u;
+          p1218 = 2u;
+          p153 = v1181;
+          p152 = v1183;
+          p151 = v1185;
         }
-        let v142 = p142;
-        let v143 = p143;
-        let v144 = p144;
-        let v1212 = p1212;
-        let v1214 = p1214;
-        let v1216 = p1216;
-        let v148 = p148;
-        let v149 = p149;
-        let v150 = p150;
-        p151 = v150;
-        p152 = v149;
-        p153 = v148;
-        p1218 = v1216;
-        p1220 = v1214;
-        p1222 = v1212;
-        p157 = v144;
-        p158 = v143;
-        p159 = v142;
-      } else {
-        p151 = v130;
-        p152 = v129;
-        p153 = v128;
-        p1218 = v1210;
-        p1220 = v1208;
-        p1222 = v1206;
-        p157 = v124;
-        p158 = v123;
-        p159 = v122;
       }
       let v151 = p151;
       let v152 = p152;
@@ -435,19 +310,15 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         let v206 = select(v114, v113, v205);
         p210 = bitcast<f32>(bits_7f800000);
         p211 = 0u;
-        p212 = 0u;
+        p215 = 0u;
         p213 = bitcast<f32>(bits_7f800000);
-        p214 = 0u;
+        p216 = 0u;
         var done0 = false;
         loop {
           if done0 { break; }
           let v210 = p210;
           let v211 = p211;
-          let v212 = p212;
           let v213 = p213;
-          let v214 = p214;
-          p215 = v212;
-          p216 = v214;
           var done1 = false;
           loop {
             if done1 { break; }
@@ -563,55 +434,46 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1295 = (v1292 + 1u);
                     r0[v1295] = v1291;
                     let v287 = (v234 + 1u);
-                    p288 = v287;
+                    p289 = v287;
                   } else {
-                    p288 = v234;
+                    p289 = v234;
                   }
-                  let v288 = p288;
-                  p289 = v288;
-                  p290 = v1290;
+                  p232 = v1290;
                   p291 = v279;
                 } else {
                   p289 = v234;
-                  p290 = v232;
+                  p232 = v232;
                   p291 = v231;
                 }
                 let v289 = p289;
-                let v290 = p290;
                 let v291 = p291;
                 let v1297 = (v1228 == 8u);
                 p231 = v291;
-                p232 = v290;
                 p1226 = v1228;
                 p234 = v289;
-                p1660 = v289;
+                p229 = v289;
                 p1661 = v291;
                 done2 = v1297;
               }
-              let v1660 = p1660;
               let v1661 = p1661;
               let v293 = (v1661 == 4294967295u);
               p227 = v1661;
-              p228 = false;
-              p229 = v1660;
+              p1664 = false;
               p230 = v293;
             } else {
-              p228 = true;
+              p1664 = true;
               p230 = true;
             }
             let v227 = p227;
-            let v228 = p228;
             let v229 = p229;
             let v230 = p230;
             p215 = v229;
             p216 = v227;
-            p1662 = v215;
+            p1111 = v215;
             p1663 = v216;
-            p1664 = v228;
             p1665 = v229;
             done1 = v230;
           }
-          let v1662 = p1662;
           let v1663 = p1663;
           let v1664 = p1664;
           let v1665 = p1665;
@@ -819,12 +681,10 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v483 = select(v377, v481, v482);
                         let v484 = !(v483 >= 0.0f);
                         let v485 = select(v483, bitcast<f32>(bits_7fc00000), v484);
-                        p486 = v485;
+                        p489 = v485;
                       } else {
-                        p486 = v476;
+                        p489 = v476;
                       }
-                      let v486 = p486;
-                      p489 = v486;
                     } else {
                       p489 = bitcast<f32>(bits_7fc00000);
                     }
@@ -837,16 +697,12 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v495 = (v491 | v494);
                     let v496 = (v490 & v495);
                     if v496 {
-                      p329 = v1307;
-                      p330 = v489;
+                      p487 = v1307;
+                      p488 = v489;
                     } else {
-                      p329 = v323;
-                      p330 = v324;
+                      p487 = v323;
+                      p488 = v324;
                     }
-                    let v329 = p329;
-                    let v330 = p330;
-                    p487 = v329;
-                    p488 = v330;
                   } else {
                     p487 = v323;
                     p488 = v324;
@@ -857,48 +713,32 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   p1298 = v1300;
                   p323 = v487;
                   p324 = v488;
-                  p1666 = v487;
-                  p1667 = v488;
+                  p309 = v487;
+                  p310 = v488;
                   done3 = v1341;
                 }
-                let v1666 = p1666;
-                let v1667 = p1667;
-                p318 = v1666;
-                p319 = v1667;
-                p320 = true;
-                p321 = false;
+                p517 = true;
+                p498 = false;
               } else {
-                p320 = false;
-                p321 = true;
+                p517 = false;
+                p498 = true;
               }
-              let v318 = p318;
-              let v319 = p319;
-              let v320 = p320;
-              let v321 = p321;
-              p309 = v318;
-              p310 = v319;
-              p311 = v320;
-              p312 = v321;
               p313 = false;
             } else {
-              p311 = false;
-              p312 = false;
+              p517 = false;
+              p498 = false;
               p313 = true;
             }
             let v309 = p309;
             let v310 = p310;
-            let v311 = p311;
-            let v312 = p312;
             let v313 = p313;
             if v313 {
               let v305 = (v295 != 0u);
-              p497 = true;
+              p516 = true;
               p498 = v305;
             } else {
-              p497 = false;
-              p498 = v312;
+              p516 = false;
             }
-            let v497 = p497;
             let v498 = p498;
             if v498 {
               p1342 = 0u;
@@ -1208,12 +1048,10 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v752 = select(v595, v750, v751);
                       let v753 = !(v752 >= 0.0f);
                       let v754 = select(v752, bitcast<f32>(bits_7fc00000), v753);
-                      p755 = v754;
+                      p758 = v754;
                     } else {
-                      p755 = v745;
+                      p758 = v745;
                     }
-                    let v755 = p755;
-                    p758 = v755;
                   } else {
                     p758 = bitcast<f32>(bits_7fc00000);
                   }
@@ -1226,16 +1064,12 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v764 = (v760 | v763);
                   let v765 = (v759 & v764);
                   if v765 {
-                    p525 = v1351;
-                    p526 = v758;
+                    p756 = v1351;
+                    p757 = v758;
                   } else {
-                    p525 = v519;
-                    p526 = v520;
+                    p756 = v519;
+                    p757 = v520;
                   }
-                  let v525 = p525;
-                  let v526 = p526;
-                  p756 = v525;
-                  p757 = v526;
                 } else {
                   p756 = v519;
                   p757 = v520;
@@ -1246,21 +1080,15 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p1342 = v1344;
                 p519 = v756;
                 p520 = v757;
-                p1668 = v756;
-                p1669 = v757;
+                p514 = v756;
+                p515 = v757;
                 done4 = v1473;
               }
-              let v1668 = p1668;
-              let v1669 = p1669;
-              p514 = v1668;
-              p515 = v1669;
               p516 = false;
               p517 = true;
             } else {
               p514 = v309;
               p515 = v310;
-              p516 = v497;
-              p517 = v311;
             }
             let v514 = p514;
             let v515 = p515;
@@ -1270,11 +1098,10 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v766 = !(v515 == v210);
               let v767 = (v514 != v211);
               let v768 = select(v767, true, v766);
-              p769 = v768;
+              p791 = v768;
             } else {
-              p769 = false;
+              p791 = false;
             }
-            let v769 = p769;
             if v516 {
               p792 = false;
               p1474 = 0u;
@@ -1529,17 +1356,13 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v950 = select(v939, v867, v949);
                       let v951 = !(v950 < v943);
                       if v951 {
-                        p952 = v943;
+                        p957 = v943;
                       } else {
-                        p952 = v950;
+                        p957 = v950;
                       }
-                      let v952 = p952;
-                      p953 = v952;
                     } else {
-                      p953 = bitcast<f32>(bits_7fc00000);
+                      p957 = bitcast<f32>(bits_7fc00000);
                     }
-                    let v953 = p953;
-                    p957 = v953;
                   } else {
                     p957 = v867;
                   }
@@ -1704,43 +1527,27 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1101 = (v1100 & v1097);
                       let v1102 = (v1099 | v1101);
                       if v1102 {
-                        p1103 = true;
-                        p1104 = v1570;
-                        p1105 = v957;
+                        p1108 = true;
+                        p955 = v1570;
+                        p956 = v957;
                       } else {
-                        p1103 = false;
-                        p1104 = v794;
-                        p1105 = v795;
+                        p1108 = false;
+                        p955 = v794;
+                        p956 = v795;
                       }
-                      let v1103 = p1103;
-                      let v1104 = p1104;
-                      let v1105 = p1105;
-                      p1000 = v1103;
-                      p1001 = v1104;
-                      p1002 = v1105;
                     } else {
-                      p1000 = true;
-                      p1001 = v1570;
-                      p1002 = v957;
+                      p1108 = true;
+                      p955 = v1570;
+                      p956 = v957;
                     }
-                    let v1000 = p1000;
-                    let v1001 = p1001;
-                    let v1002 = p1002;
-                    p1106 = v1002;
-                    p1107 = v1001;
-                    p1108 = v1000;
                   } else {
-                    p1106 = v795;
-                    p1107 = v794;
+                    p956 = v795;
+                    p955 = v794;
                     p1108 = false;
                   }
-                  let v1106 = p1106;
-                  let v1107 = p1107;
                   let v1108 = p1108;
                   let v1109 = (v792 | v1108);
                   p954 = v1109;
-                  p955 = v1107;
-                  p956 = v1106;
                 } else {
                   p954 = v792;
                   p955 = v794;
@@ -1754,53 +1561,39 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p1474 = v1476;
                 p794 = v955;
                 p795 = v956;
-                p1670 = v954;
+                p791 = v954;
                 p1671 = v955;
-                p1672 = v956;
+                p790 = v956;
                 done5 = v1642;
               }
-              let v1670 = p1670;
               let v1671 = p1671;
-              let v1672 = p1672;
               p788 = v1671;
-              p789 = v1671;
-              p790 = v1672;
-              p791 = v1670;
+              p301 = v1671;
             } else {
               p788 = v211;
-              p789 = v514;
+              p301 = v514;
               p790 = v515;
-              p791 = v769;
             }
             let v788 = p788;
-            let v789 = p789;
             let v790 = p790;
             let v791 = p791;
             if v791 {
-              p306 = v790;
-              p307 = v789;
+              p299 = v790;
             } else {
-              p306 = v213;
-              p307 = v788;
+              p299 = v213;
+              p301 = v788;
             }
-            let v306 = p306;
-            let v307 = p307;
-            p299 = v306;
-            p300 = v1662;
-            p301 = v307;
             p302 = v790;
           } else {
             p299 = v213;
-            p300 = v1665;
+            p1111 = v1665;
             p301 = v211;
             p302 = v210;
           }
           let v299 = p299;
-          let v300 = p300;
           let v301 = p301;
           let v302 = p302;
           let v308 = bitcast<u32>(v299);
-          p1111 = v300;
           var done6 = false;
           loop {
             if done6 { break; }
@@ -1815,25 +1608,22 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v1659 = (v1643 + 4294967294u);
               p1132 = false;
               p1133 = v1118;
-              p1646 = v1659;
+              p1674 = v1659;
               p1135 = v1123;
             } else {
               p1132 = true;
-              p1646 = 0u;
+              p1674 = 0u;
               p1135 = true;
             }
             let v1132 = p1132;
             let v1133 = p1133;
-            let v1646 = p1646;
             let v1135 = p1135;
             let v1136 = (v1132 != true);
             p1111 = v1133;
-            p1673 = v1133;
-            p1674 = v1646;
+            p215 = v1133;
             p1675 = v1136;
             done6 = v1135;
           }
-          let v1673 = p1673;
           let v1674 = p1674;
           let v1675 = p1675;
           if v1675 {
@@ -1847,9 +1637,8 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           let v1114 = p1114;
           p210 = v302;
           p211 = v301;
-          p212 = v1673;
           p213 = v299;
-          p214 = v1113;
+          p216 = v1113;
           p1676 = v301;
           p1677 = v302;
           done0 = v1114;

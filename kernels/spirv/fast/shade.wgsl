@@ -14,9 +14,6 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p432: f32;
   var p433: f32;
   var p434: f32;
-  var p439: f32;
-  var p440: f32;
-  var p441: f32;
   var p442: f32;
   var p443: f32;
   var p444: f32;
@@ -30,7 +27,6 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p662: f32;
   var p663: f32;
   var p664: u32;
-  var p665: u32;
   var p692: u32;
   var p718: f32;
   var p719: f32;
@@ -39,8 +35,6 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p834: u32;
   var p835: f32;
   var p845: f32;
-  var p1332: f32;
-  var p832: f32;
   var p749: f32;
   var p750: bool;
   var p761: u32;
@@ -50,33 +44,14 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p771: u32;
   var p768: f32;
   var p769: bool;
-  var p795: f32;
   var p797: f32;
-  var p851: f32;
-  var p852: f32;
-  var p853: f32;
   var p796: f32;
-  var p854: f32;
-  var p855: f32;
-  var p856: f32;
   var p712: f32;
   var p713: f32;
   var p714: f32;
   var p715: f32;
   var p716: f32;
   var p717: f32;
-  var p1333: f32;
-  var p1334: f32;
-  var p1335: f32;
-  var p1336: f32;
-  var p1337: f32;
-  var p1338: f32;
-  var p652: f32;
-  var p653: f32;
-  var p654: f32;
-  var p655: f32;
-  var p656: f32;
-  var p657: f32;
   var p864: f32;
   var p865: f32;
   var p866: f32;
@@ -90,25 +65,11 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p108: f32;
   var p109: f32;
   var p110: f32;
-  var p198: u32;
   var p199: bool;
-  var p201: u32;
   var p206: u32;
-  var p253: u32;
   var p254: bool;
-  var p256: u32;
   var p257: u32;
-  var p202: f32;
-  var p203: f32;
-  var p204: f32;
-  var p205: bool;
-  var p139: f32;
-  var p140: f32;
-  var p141: f32;
   var p142: bool;
-  var p876: f32;
-  var p877: f32;
-  var p878: f32;
   var p105: f32;
   var p106: f32;
   var p107: f32;
@@ -298,20 +259,14 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           let v473 = (v472 & 1u);
           let v474 = (v473 != 0u);
           if v474 {
-            p439 = v1006;
-            p440 = v1002;
-            p441 = v998;
+            p444 = v1006;
+            p443 = v1002;
+            p442 = v998;
           } else {
-            p439 = v991;
-            p440 = v988;
-            p441 = v985;
+            p444 = v991;
+            p443 = v988;
+            p442 = v985;
           }
-          let v439 = p439;
-          let v440 = p440;
-          let v441 = p441;
-          p442 = v441;
-          p443 = v440;
-          p444 = v439;
         } else {
           p442 = v985;
           p443 = v988;
@@ -560,7 +515,7 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             p662 = 0.0f;
             p663 = 0.0f;
             p664 = 0u;
-            p665 = 0u;
+            p692 = 0u;
             var done0 = false;
             loop {
               if done0 { break; }
@@ -571,7 +526,6 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v662 = p662;
               let v663 = p663;
               let v664 = p664;
-              let v665 = p665;
               let v666 = (v664 << (1u & 31u));
               let v667 = (v666 + v1152);
               let v1167 = r2[v667];
@@ -596,8 +550,6 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v687 = (v686 + v37);
                 let v1188 = r5[v687];
                 p692 = v1188;
-              } else {
-                p692 = v665;
               }
               let v692 = p692;
               let v693 = (1u << (v684 & 31u));
@@ -693,16 +645,12 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         p833 = v849;
                         p834 = v846;
                         p835 = v845;
-                        p1332 = v845;
+                        p749 = v845;
                         done1 = v850;
                       }
-                      let v1332 = p1332;
-                      p832 = v1332;
                     } else {
-                      p832 = 1.0f;
+                      p749 = 1.0f;
                     }
-                    let v832 = p832;
-                    p749 = v832;
                     p750 = false;
                   } else {
                     p750 = true;
@@ -776,12 +724,10 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       if v769 {
                         let v755 = (v751 == 2139095040u);
                         let v756 = select(bitcast<f32>(bits_7fc00000), v748, v755);
-                        p795 = v756;
+                        p797 = v756;
                       } else {
-                        p795 = v768;
+                        p797 = v768;
                       }
-                      let v795 = p795;
-                      p797 = v795;
                     } else {
                       p797 = bitcast<f32>(bits_ff800000);
                     }
@@ -839,22 +785,16 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           let v829 = (v1212 << (23u & 31u));
                           let v830 = (v829 + v828);
                           let v831 = bitcast<f32>(v830);
-                          p851 = v831;
+                          p796 = v831;
                         } else {
-                          p851 = 0.0f;
+                          p796 = 0.0f;
                         }
-                        let v851 = p851;
-                        p852 = v851;
                       } else {
-                        p852 = bitcast<f32>(bits_7f800000);
+                        p796 = bitcast<f32>(bits_7f800000);
                       }
-                      let v852 = p852;
-                      p853 = v852;
                     } else {
-                      p853 = v798;
+                      p796 = v798;
                     }
-                    let v853 = p853;
-                    p796 = v853;
                   } else {
                     p796 = v749;
                   }
@@ -866,23 +806,17 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v861 = (v661 + v858);
                   let v862 = (v662 + v859);
                   let v863 = (v663 + v860);
-                  p854 = v861;
-                  p855 = v862;
-                  p856 = v863;
+                  p715 = v861;
+                  p716 = v862;
+                  p717 = v863;
                 } else {
-                  p854 = v661;
-                  p855 = v662;
-                  p856 = v663;
+                  p715 = v661;
+                  p716 = v662;
+                  p717 = v663;
                 }
-                let v854 = p854;
-                let v855 = p855;
-                let v856 = p856;
                 p712 = v734;
                 p713 = v733;
                 p714 = v732;
-                p715 = v854;
-                p716 = v855;
-                p717 = v856;
               } else {
                 p712 = v658;
                 p713 = v659;
@@ -906,47 +840,23 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               p662 = v716;
               p663 = v717;
               p664 = v705;
-              p665 = v692;
-              p1333 = v712;
-              p1334 = v713;
-              p1335 = v714;
-              p1336 = v715;
-              p1337 = v716;
-              p1338 = v717;
+              p692 = v692;
+              p869 = v712;
+              p868 = v713;
+              p867 = v714;
+              p866 = v715;
+              p865 = v716;
+              p864 = v717;
               done0 = v706;
             }
-            let v1333 = p1333;
-            let v1334 = p1334;
-            let v1335 = p1335;
-            let v1336 = p1336;
-            let v1337 = p1337;
-            let v1338 = p1338;
-            p652 = v1333;
-            p653 = v1334;
-            p654 = v1335;
-            p655 = v1336;
-            p656 = v1337;
-            p657 = v1338;
           } else {
-            p652 = v622;
-            p653 = v621;
-            p654 = v620;
-            p655 = 0.0f;
-            p656 = 0.0f;
-            p657 = 0.0f;
+            p869 = v622;
+            p868 = v621;
+            p867 = v620;
+            p866 = 0.0f;
+            p865 = 0.0f;
+            p864 = 0.0f;
           }
-          let v652 = p652;
-          let v653 = p653;
-          let v654 = p654;
-          let v655 = p655;
-          let v656 = p656;
-          let v657 = p657;
-          p864 = v657;
-          p865 = v656;
-          p866 = v655;
-          p867 = v654;
-          p868 = v653;
-          p869 = v652;
         } else {
           p864 = 0.0f;
           p865 = 0.0f;
@@ -1059,21 +969,16 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v195 = bitcast<u32>(v1225);
                 let v196 = (v161 & 2147483648u);
                 let v197 = (v196 | v195);
-                p198 = v197;
+                p206 = v197;
                 p199 = false;
               } else {
                 p199 = true;
               }
-              let v198 = p198;
               let v199 = p199;
               if v199 {
                 let v200 = (v161 & 2147483648u);
-                p201 = v200;
-              } else {
-                p201 = v198;
+                p206 = v200;
               }
-              let v201 = p201;
-              p206 = v201;
             } else {
               p206 = 2143289344u;
             }
@@ -1126,21 +1031,16 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v250 = bitcast<u32>(v1230);
                 let v251 = (v216 & 2147483648u);
                 let v252 = (v251 | v250);
-                p253 = v252;
+                p257 = v252;
                 p254 = false;
               } else {
                 p254 = true;
               }
-              let v253 = p253;
               let v254 = p254;
               if v254 {
                 let v255 = (v216 & 2147483648u);
-                p256 = v255;
-              } else {
-                p256 = v253;
+                p257 = v255;
               }
-              let v256 = p256;
-              p257 = v256;
             } else {
               p257 = 2143289344u;
             }
@@ -1296,27 +1196,16 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             let v378 = (v340 + v375);
             let v379 = (v341 + v376);
             let v380 = (v342 + v377);
-            p202 = v380;
-            p203 = v379;
-            p204 = v378;
-            p205 = false;
+            p105 = v380;
+            p106 = v379;
+            p107 = v378;
+            p142 = false;
           } else {
-            p205 = true;
+            p142 = true;
           }
-          let v202 = p202;
-          let v203 = p203;
-          let v204 = p204;
-          let v205 = p205;
-          p139 = v202;
-          p140 = v203;
-          p141 = v204;
-          p142 = v205;
         } else {
           p142 = v112;
         }
-        let v139 = p139;
-        let v140 = p140;
-        let v141 = p141;
         let v142 = p142;
         if v142 {
           let v1305 = r1[2u][0u];
@@ -1341,20 +1230,10 @@ fn shade(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           let v136 = (v1306 + v133);
           let v137 = (v1308 + v134);
           let v138 = (v1310 + v135);
-          p876 = v138;
-          p877 = v137;
-          p878 = v136;
-        } else {
-          p876 = v139;
-          p877 = v140;
-          p878 = v141;
+          p105 = v138;
+          p106 = v137;
+          p107 = v136;
         }
-        let v876 = p876;
-        let v877 = p877;
-        let v878 = p878;
-        p105 = v876;
-        p106 = v877;
-        p107 = v878;
       } else {
         p105 = v428;
         p106 = v429;

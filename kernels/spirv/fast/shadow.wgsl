@@ -11,38 +11,16 @@ var<private> bits_7fc00000: u32 = 2143289344u;
 fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 193>;
   var p95: u32;
-  var p96: u32;
   var p98: u32;
   var p99: u32;
   var p100: u32;
-  var p224: f32;
-  var p225: f32;
-  var p226: f32;
-  var p1366: u32;
-  var p1368: u32;
-  var p1370: u32;
-  var p230: f32;
-  var p231: f32;
-  var p232: f32;
   var p213: f32;
   var p214: f32;
   var p215: f32;
-  var p1372: u32;
-  var p1374: u32;
-  var p1376: u32;
   var p219: f32;
   var p220: f32;
   var p221: f32;
   var p222: bool;
-  var p233: f32;
-  var p234: f32;
-  var p235: f32;
-  var p1378: u32;
-  var p1380: u32;
-  var p1382: u32;
-  var p239: f32;
-  var p240: f32;
-  var p241: f32;
   var p244: f32;
   var p245: f32;
   var p246: f32;
@@ -54,19 +32,14 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p252: f32;
   var p1146: f32;
   var p1147: u32;
-  var p1148: u32;
-  var p1149: u32;
   var p1150: u32;
   var p1151: u32;
   var p1167: u32;
   var p1168: u32;
   var p1392: u32;
   var p1170: u32;
-  var p1224: u32;
   var p1225: u32;
-  var p1226: u32;
   var p1227: u32;
-  var p1820: u32;
   var p1821: u32;
   var p1162: u32;
   var p1163: bool;
@@ -81,88 +54,44 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1464: u32;
   var p586: u32;
   var p587: f32;
-  var p746: f32;
   var p749: f32;
-  var p757: u32;
-  var p758: f32;
   var p747: u32;
   var p748: f32;
-  var p1826: u32;
-  var p1827: f32;
-  var p581: u32;
-  var p582: f32;
-  var p583: bool;
-  var p584: bool;
   var p568: u32;
   var p569: f32;
-  var p570: bool;
-  var p571: bool;
   var p572: bool;
-  var p299: bool;
   var p300: bool;
   var p1508: u32;
   var p321: u32;
   var p322: f32;
-  var p554: f32;
   var p557: f32;
-  var p565: u32;
-  var p566: f32;
   var p555: u32;
   var p556: f32;
-  var p1828: u32;
-  var p1829: f32;
   var p316: u32;
   var p317: f32;
   var p318: bool;
   var p319: bool;
-  var p760: bool;
   var p784: bool;
   var p1640: u32;
   var p786: u32;
   var p787: f32;
-  var p944: f32;
-  var p945: f32;
   var p950: f32;
   var p996: f32;
   var p1039: f32;
   var p1082: f32;
-  var p1096: bool;
-  var p1097: u32;
-  var p1098: f32;
-  var p993: bool;
-  var p994: u32;
-  var p995: f32;
-  var p1099: f32;
-  var p1100: u32;
   var p1101: bool;
   var p946: bool;
   var p947: u32;
   var p948: f32;
   var p1830: u32;
-  var p1831: f32;
-  var p1832: bool;
-  var p779: u32;
-  var p780: u32;
-  var p781: u32;
-  var p782: f32;
-  var p783: bool;
-  var p1135: u32;
-  var p1136: u32;
-  var p1137: u32;
   var p1138: u32;
   var p1139: u32;
   var p1140: f32;
   var p1141: bool;
-  var p1246: u32;
   var p1247: u32;
-  var p1248: bool;
   var p1105: u32;
-  var p1106: u32;
-  var p1107: u32;
-  var p1108: bool;
   var p1109: bool;
   var p1833: u32;
-  var p1834: u32;
   var p1835: f32;
   var p1836: bool;
   var p1117: u32;
@@ -170,23 +99,13 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1116: bool;
   var p1118: u32;
   var p1145: u32;
-  var p242: u32;
-  var p243: u32;
   var p1123: u32;
   var p1124: u32;
   var p1125: u32;
   var p1126: bool;
   var p1837: u32;
   var p1838: u32;
-  var p1839: u32;
-  var p92: u32;
-  var p93: bool;
-  var p88: u32;
-  var p89: bool;
-  var p68: u32;
-  var p69: bool;
   var p70: bool;
-  var p90: u32;
   var p91: bool;
   var p1231: u32;
   var p1230: u32;
@@ -258,16 +177,14 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           let v85 = -(v1312);
           if v83 {
             p95 = 0u;
-            p96 = 0u;
+            p100 = 0u;
             var done0 = false;
             loop {
               if done0 { break; }
               let v95 = p95;
-              let v96 = p96;
               let v97 = (v95 << (5u & 31u));
               p98 = 0u;
               p99 = 0u;
-              p100 = v96;
               var done1 = false;
               loop {
                 if done1 { break; }
@@ -377,57 +294,36 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     if v211 {
                       let v212 = (v1364 > v1365);
                       if v212 {
-                        p224 = v167;
-                        p225 = v152;
-                        p226 = v148;
-                        p1366 = 2u;
-                        p1368 = 0u;
-                        p1370 = 1u;
-                        p230 = v146;
-                        p231 = v144;
-                        p232 = v145;
+                        p213 = v167;
+                        p214 = v152;
+                        p215 = v148;
+                        p1388 = 2u;
+                        p1386 = 0u;
+                        p1384 = 1u;
+                        p219 = v146;
+                        p220 = v144;
+                        p221 = v145;
                       } else {
-                        p224 = v172;
-                        p225 = v150;
-                        p226 = v152;
-                        p1366 = 0u;
-                        p1368 = 1u;
-                        p1370 = 2u;
-                        p230 = v144;
-                        p231 = v145;
-                        p232 = v146;
+                        p213 = v172;
+                        p214 = v150;
+                        p215 = v152;
+                        p1388 = 0u;
+                        p1386 = 1u;
+                        p1384 = 2u;
+                        p219 = v144;
+                        p220 = v145;
+                        p221 = v146;
                       }
-                      let v224 = p224;
-                      let v225 = p225;
-                      let v226 = p226;
-                      let v1366 = p1366;
-                      let v1368 = p1368;
-                      let v1370 = p1370;
-                      let v230 = p230;
-                      let v231 = p231;
-                      let v232 = p232;
-                      p213 = v224;
-                      p214 = v225;
-                      p215 = v226;
-                      p1372 = v1366;
-                      p1374 = v1368;
-                      p1376 = v1370;
-                      p219 = v230;
-                      p220 = v231;
-                      p221 = v232;
                       p222 = false;
                     } else {
-                      p1372 = 0u;
-                      p1374 = 0u;
-                      p1376 = 0u;
+                      p1388 = 0u;
+                      p1386 = 0u;
+                      p1384 = 0u;
                       p222 = true;
                     }
                     let v213 = p213;
                     let v214 = p214;
                     let v215 = p215;
-                    let v1372 = p1372;
-                    let v1374 = p1374;
-                    let v1376 = p1376;
                     let v219 = p219;
                     let v220 = p220;
                     let v221 = p221;
@@ -435,51 +331,30 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     if v222 {
                       let v223 = (v1363 > v1365);
                       if v223 {
-                        p233 = v162;
-                        p234 = v148;
-                        p235 = v150;
-                        p1378 = 1u;
-                        p1380 = 2u;
-                        p1382 = 0u;
-                        p239 = v145;
-                        p240 = v146;
-                        p241 = v144;
+                        p252 = v162;
+                        p251 = v148;
+                        p250 = v150;
+                        p1388 = 1u;
+                        p1386 = 2u;
+                        p1384 = 0u;
+                        p246 = v145;
+                        p245 = v146;
+                        p244 = v144;
                       } else {
-                        p233 = v172;
-                        p234 = v150;
-                        p235 = v152;
-                        p1378 = 0u;
-                        p1380 = 1u;
-                        p1382 = 2u;
-                        p239 = v144;
-                        p240 = v145;
-                        p241 = v146;
+                        p252 = v172;
+                        p251 = v150;
+                        p250 = v152;
+                        p1388 = 0u;
+                        p1386 = 1u;
+                        p1384 = 2u;
+                        p246 = v144;
+                        p245 = v145;
+                        p244 = v146;
                       }
-                      let v233 = p233;
-                      let v234 = p234;
-                      let v235 = p235;
-                      let v1378 = p1378;
-                      let v1380 = p1380;
-                      let v1382 = p1382;
-                      let v239 = p239;
-                      let v240 = p240;
-                      let v241 = p241;
-                      p244 = v241;
-                      p245 = v240;
-                      p246 = v239;
-                      p1384 = v1382;
-                      p1386 = v1380;
-                      p1388 = v1378;
-                      p250 = v235;
-                      p251 = v234;
-                      p252 = v233;
                     } else {
                       p244 = v221;
                       p245 = v220;
                       p246 = v219;
-                      p1384 = v1376;
-                      p1386 = v1374;
-                      p1388 = v1372;
                       p250 = v215;
                       p251 = v214;
                       p252 = v213;
@@ -543,17 +418,13 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v298 = select(v206, v205, v297);
                       p1146 = 1.0f;
                       p1147 = 0u;
-                      p1148 = 0u;
-                      p1149 = 0u;
+                      p1150 = 0u;
+                      p1151 = 0u;
                       var done2 = false;
                       loop {
                         if done2 { break; }
                         let v1146 = p1146;
                         let v1147 = p1147;
-                        let v1148 = p1148;
-                        let v1149 = p1149;
-                        p1150 = v1148;
-                        p1151 = v1149;
                         var done3 = false;
                         loop {
                           if done3 { break; }
@@ -669,37 +540,31 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                   let v1461 = (v1458 + 1u);
                                   r0[v1461] = v1457;
                                   let v1223 = (v1170 + 1u);
-                                  p1224 = v1223;
+                                  p1225 = v1223;
                                 } else {
-                                  p1224 = v1170;
+                                  p1225 = v1170;
                                 }
-                                let v1224 = p1224;
-                                p1225 = v1224;
-                                p1226 = v1456;
+                                p1168 = v1456;
                                 p1227 = v1215;
                               } else {
                                 p1225 = v1170;
-                                p1226 = v1168;
+                                p1168 = v1168;
                                 p1227 = v1167;
                               }
                               let v1225 = p1225;
-                              let v1226 = p1226;
                               let v1227 = p1227;
                               let v1463 = (v1394 == 8u);
                               p1167 = v1227;
-                              p1168 = v1226;
                               p1392 = v1394;
                               p1170 = v1225;
-                              p1820 = v1225;
+                              p1164 = v1225;
                               p1821 = v1227;
                               done4 = v1463;
                             }
-                            let v1820 = p1820;
                             let v1821 = p1821;
                             let v1229 = (v1821 == 4294967295u);
                             p1162 = v1821;
                             p1163 = false;
-                            p1164 = v1820;
                             p1165 = v1229;
                           } else {
                             p1163 = true;
@@ -928,12 +793,10 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                       let v743 = select(v637, v741, v742);
                                       let v744 = !(v743 >= 0.0f);
                                       let v745 = select(v743, bitcast<f32>(bits_7fc00000), v744);
-                                      p746 = v745;
+                                      p749 = v745;
                                     } else {
-                                      p746 = v736;
+                                      p749 = v736;
                                     }
-                                    let v746 = p746;
-                                    p749 = v746;
                                   } else {
                                     p749 = bitcast<f32>(bits_7fc00000);
                                   }
@@ -946,16 +809,12 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                   let v755 = (v751 | v754);
                                   let v756 = (v750 & v755);
                                   if v756 {
-                                    p757 = v1473;
-                                    p758 = v749;
+                                    p747 = v1473;
+                                    p748 = v749;
                                   } else {
-                                    p757 = v586;
-                                    p758 = v587;
+                                    p747 = v586;
+                                    p748 = v587;
                                   }
-                                  let v757 = p757;
-                                  let v758 = p758;
-                                  p747 = v757;
-                                  p748 = v758;
                                 } else {
                                   p747 = v586;
                                   p748 = v587;
@@ -966,48 +825,32 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 p1464 = v1466;
                                 p586 = v747;
                                 p587 = v748;
-                                p1826 = v747;
-                                p1827 = v748;
+                                p568 = v747;
+                                p569 = v748;
                                 done5 = v1507;
                               }
-                              let v1826 = p1826;
-                              let v1827 = p1827;
-                              p581 = v1826;
-                              p582 = v1827;
-                              p583 = true;
-                              p584 = false;
+                              p319 = true;
+                              p300 = false;
                             } else {
-                              p583 = false;
-                              p584 = true;
+                              p319 = false;
+                              p300 = true;
                             }
-                            let v581 = p581;
-                            let v582 = p582;
-                            let v583 = p583;
-                            let v584 = p584;
-                            p568 = v581;
-                            p569 = v582;
-                            p570 = v583;
-                            p571 = v584;
                             p572 = false;
                           } else {
-                            p570 = false;
-                            p571 = false;
+                            p319 = false;
+                            p300 = false;
                             p572 = true;
                           }
                           let v568 = p568;
                           let v569 = p569;
-                          let v570 = p570;
-                          let v571 = p571;
                           let v572 = p572;
                           if v572 {
                             let v1144 = (v1131 != 0u);
-                            p299 = true;
+                            p318 = true;
                             p300 = v1144;
                           } else {
-                            p299 = false;
-                            p300 = v571;
+                            p318 = false;
                           }
-                          let v299 = p299;
                           let v300 = p300;
                           if v300 {
                             p1508 = 0u;
@@ -1317,12 +1160,10 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                     let v551 = select(v394, v549, v550);
                                     let v552 = !(v551 >= 0.0f);
                                     let v553 = select(v551, bitcast<f32>(bits_7fc00000), v552);
-                                    p554 = v553;
+                                    p557 = v553;
                                   } else {
-                                    p554 = v544;
+                                    p557 = v544;
                                   }
-                                  let v554 = p554;
-                                  p557 = v554;
                                 } else {
                                   p557 = bitcast<f32>(bits_7fc00000);
                                 }
@@ -1335,16 +1176,12 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 let v563 = (v559 | v562);
                                 let v564 = (v558 & v563);
                                 if v564 {
-                                  p565 = v1517;
-                                  p566 = v557;
+                                  p555 = v1517;
+                                  p556 = v557;
                                 } else {
-                                  p565 = v321;
-                                  p566 = v322;
+                                  p555 = v321;
+                                  p556 = v322;
                                 }
-                                let v565 = p565;
-                                let v566 = p566;
-                                p555 = v565;
-                                p556 = v566;
                               } else {
                                 p555 = v321;
                                 p556 = v322;
@@ -1355,21 +1192,15 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               p1508 = v1510;
                               p321 = v555;
                               p322 = v556;
-                              p1828 = v555;
-                              p1829 = v556;
+                              p316 = v555;
+                              p317 = v556;
                               done6 = v1639;
                             }
-                            let v1828 = p1828;
-                            let v1829 = p1829;
-                            p316 = v1828;
-                            p317 = v1829;
                             p318 = false;
                             p319 = true;
                           } else {
                             p316 = v568;
                             p317 = v569;
-                            p318 = v299;
-                            p319 = v570;
                           }
                           let v316 = p316;
                           let v317 = p317;
@@ -1380,11 +1211,10 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v578 = (v316 != v1147);
                             let v579 = select(v578, true, v577);
                             let v580 = (v579 != true);
-                            p760 = v580;
+                            p1141 = v580;
                           } else {
-                            p760 = v1129;
+                            p1141 = v1129;
                           }
-                          let v760 = p760;
                           if v318 {
                             p784 = false;
                             p1640 = 0u;
@@ -1639,17 +1469,13 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                     let v942 = select(v931, v859, v941);
                                     let v943 = !(v942 < v935);
                                     if v943 {
-                                      p944 = v935;
+                                      p950 = v935;
                                     } else {
-                                      p944 = v942;
+                                      p950 = v942;
                                     }
-                                    let v944 = p944;
-                                    p945 = v944;
                                   } else {
-                                    p945 = bitcast<f32>(bits_7fc00000);
+                                    p950 = bitcast<f32>(bits_7fc00000);
                                   }
-                                  let v945 = p945;
-                                  p950 = v945;
                                 } else {
                                   p950 = v859;
                                 }
@@ -1814,43 +1640,27 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                     let v1094 = (v1093 & v1090);
                                     let v1095 = (v1092 | v1094);
                                     if v1095 {
-                                      p1096 = true;
-                                      p1097 = v1736;
-                                      p1098 = v950;
+                                      p1101 = true;
+                                      p947 = v1736;
+                                      p948 = v950;
                                     } else {
-                                      p1096 = false;
-                                      p1097 = v786;
-                                      p1098 = v787;
+                                      p1101 = false;
+                                      p947 = v786;
+                                      p948 = v787;
                                     }
-                                    let v1096 = p1096;
-                                    let v1097 = p1097;
-                                    let v1098 = p1098;
-                                    p993 = v1096;
-                                    p994 = v1097;
-                                    p995 = v1098;
                                   } else {
-                                    p993 = true;
-                                    p994 = v1736;
-                                    p995 = v950;
+                                    p1101 = true;
+                                    p947 = v1736;
+                                    p948 = v950;
                                   }
-                                  let v993 = p993;
-                                  let v994 = p994;
-                                  let v995 = p995;
-                                  p1099 = v995;
-                                  p1100 = v994;
-                                  p1101 = v993;
                                 } else {
-                                  p1099 = v787;
-                                  p1100 = v786;
+                                  p948 = v787;
+                                  p947 = v786;
                                   p1101 = false;
                                 }
-                                let v1099 = p1099;
-                                let v1100 = p1100;
                                 let v1101 = p1101;
                                 let v1102 = (v784 | v1101);
                                 p946 = v1102;
-                                p947 = v1100;
-                                p948 = v1099;
                               } else {
                                 p946 = v784;
                                 p947 = v786;
@@ -1866,48 +1676,30 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               p786 = v947;
                               p787 = v948;
                               p1830 = v947;
-                              p1831 = v948;
-                              p1832 = v949;
+                              p1140 = v948;
+                              p1141 = v949;
                               done7 = v1808;
                             }
                             let v1830 = p1830;
-                            let v1831 = p1831;
-                            let v1832 = p1832;
-                            p779 = v1830;
-                            p780 = v1830;
-                            p781 = v1830;
-                            p782 = v1831;
-                            p783 = v1832;
+                            p1147 = v1830;
+                            p1833 = v1830;
+                            p1139 = v1830;
                           } else {
-                            p779 = v1147;
-                            p780 = v316;
-                            p781 = v1147;
-                            p782 = v317;
-                            p783 = v760;
+                            p1147 = v1147;
+                            p1833 = v316;
+                            p1139 = v1147;
+                            p1140 = v317;
                           }
-                          let v779 = p779;
-                          let v780 = p780;
-                          let v781 = p781;
-                          let v782 = p782;
-                          let v783 = p783;
-                          p1135 = v1822;
-                          p1136 = v779;
-                          p1137 = v780;
+                          p1150 = v1822;
                           p1138 = v1822;
-                          p1139 = v781;
-                          p1140 = v782;
-                          p1141 = v783;
                         } else {
-                          p1135 = v1824;
-                          p1136 = v1147;
+                          p1150 = v1824;
+                          p1147 = v1147;
                           p1138 = v1824;
                           p1139 = v1147;
                           p1140 = v1146;
                           p1141 = v1129;
                         }
-                        let v1135 = p1135;
-                        let v1136 = p1136;
-                        let v1137 = p1137;
                         let v1138 = p1138;
                         let v1139 = p1139;
                         let v1140 = p1140;
@@ -1919,51 +1711,35 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v1809 = (v1138 * 2u);
                             let v1810 = (v1809 + 4294967294u);
                             let v1811 = r0[v1810];
-                            p1246 = v1811;
+                            p1105 = v1811;
                             p1247 = v1110;
-                            p1248 = false;
+                            p1109 = false;
                           } else {
-                            p1248 = true;
+                            p1109 = true;
                           }
-                          let v1246 = p1246;
                           let v1247 = p1247;
-                          let v1248 = p1248;
-                          p1105 = v1246;
-                          p1106 = v1247;
-                          p1107 = v1139;
-                          p1108 = false;
-                          p1109 = v1248;
+                          p1150 = v1247;
+                          p1147 = v1139;
+                          p1836 = false;
                         } else {
-                          p1106 = v1135;
-                          p1107 = v1136;
-                          p1108 = true;
+                          p1836 = true;
                           p1109 = true;
                         }
                         let v1105 = p1105;
-                        let v1106 = p1106;
-                        let v1107 = p1107;
-                        let v1108 = p1108;
                         let v1109 = p1109;
                         p1146 = v1140;
-                        p1147 = v1107;
-                        p1148 = v1106;
-                        p1149 = v1105;
-                        p1833 = v1137;
-                        p1834 = v1139;
+                        p1151 = v1105;
+                        p1117 = v1139;
                         p1835 = v1140;
-                        p1836 = v1108;
                         done2 = v1109;
                       }
                       let v1833 = p1833;
-                      let v1834 = p1834;
                       let v1835 = p1835;
                       let v1836 = p1836;
                       let v1249 = (v1836 != true);
                       if v1249 {
                         let v1114 = (v1835 < 1.0f);
-                        if v1114 {
-                          p1117 = v1834;
-                        } else {
+                        if !v1114 {
                           p1117 = 4294967295u;
                         }
                         let v1117 = p1117;
@@ -1989,19 +1765,15 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1145 = p1145;
                     let v1121 = (v1145 << (v99 & 31u));
                     let v1122 = (v1121 | v98);
-                    p242 = v1122;
-                    p243 = v207;
+                    p1124 = v1122;
+                    p1125 = v207;
                   } else {
-                    p242 = v98;
-                    p243 = v100;
+                    p1124 = v98;
+                    p1125 = v100;
                   }
-                  let v242 = p242;
-                  let v243 = p243;
                   let v1127 = (v99 + 1u);
                   let v1128 = (v1127 == 32u);
                   p1123 = v1127;
-                  p1124 = v242;
-                  p1125 = v243;
                   p1126 = v1128;
                 } else {
                   p1124 = v98;
@@ -2029,46 +1801,30 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v112 = select(false, v111, v108);
               let v113 = (v112 != true);
               p95 = v106;
-              p96 = v1838;
-              p1839 = v1838;
+              p100 = v1838;
+              p1230 = v1838;
               done0 = v113;
             }
-            let v1839 = p1839;
-            p92 = v1839;
-            p93 = false;
+            p91 = false;
           } else {
-            p92 = 0u;
-            p93 = true;
+            p1230 = 0u;
+            p91 = true;
           }
-          let v92 = p92;
-          let v93 = p93;
-          p88 = v92;
-          p89 = v93;
         } else {
-          p88 = 0u;
-          p89 = false;
+          p1230 = 0u;
+          p91 = false;
         }
-        let v88 = p88;
-        let v89 = p89;
-        p68 = v88;
-        p69 = v89;
         p70 = false;
       } else {
-        p69 = false;
+        p91 = false;
         p70 = true;
       }
-      let v68 = p68;
-      let v69 = p69;
       let v70 = p70;
       if v70 {
         let v67 = (v1277 <= 4294967264u);
-        p90 = 0u;
+        p1230 = 0u;
         p91 = v67;
-      } else {
-        p90 = v68;
-        p91 = v69;
       }
-      let v90 = p90;
       let v91 = p91;
       if v91 {
         p1231 = 0u;
@@ -2087,8 +1843,6 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           done8 = v1242;
         }
         p1230 = 0u;
-      } else {
-        p1230 = v90;
       }
       let v1230 = p1230;
       r7[v26] = vec4<u32>(0u, v1230, 0u, 0u);

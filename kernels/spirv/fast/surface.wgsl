@@ -9,110 +9,30 @@ var<private> bits_7f800000: u32 = 2139095040u;
 var<private> bits_7fc00000: u32 = 2143289344u;
 @compute @workgroup_size(8, 8, 1)
 fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
-  var p977: f32;
-  var p978: f32;
-  var p979: f32;
-  var p1030: u32;
   var p1031: bool;
-  var p1033: u32;
   var p1036: u32;
-  var p1083: u32;
   var p1084: bool;
-  var p1086: u32;
   var p1087: u32;
-  var p1034: f32;
-  var p1035: f32;
-  var p967: f32;
-  var p968: f32;
-  var p969: f32;
-  var p970: f32;
-  var p971: f32;
-  var p972: f32;
-  var p973: f32;
-  var p974: f32;
-  var p975: u32;
-  var p976: f32;
-  var p1106: f32;
-  var p1107: f32;
-  var p1108: f32;
-  var p1109: f32;
-  var p1110: f32;
-  var p1111: f32;
-  var p1112: f32;
-  var p1113: f32;
-  var p1114: u32;
-  var p1115: f32;
-  var p412: f32;
-  var p413: f32;
-  var p414: f32;
-  var p415: f32;
-  var p416: f32;
-  var p417: f32;
-  var p418: f32;
-  var p419: f32;
-  var p420: u32;
-  var p421: f32;
   var p422: bool;
   var p582: f32;
   var p583: f32;
   var p584: f32;
-  var p635: u32;
   var p636: bool;
-  var p638: u32;
   var p641: u32;
-  var p688: u32;
   var p689: bool;
-  var p691: u32;
   var p692: u32;
-  var p639: f32;
-  var p640: f32;
-  var p572: f32;
-  var p573: f32;
-  var p574: f32;
-  var p575: f32;
-  var p576: f32;
-  var p577: f32;
-  var p578: f32;
-  var p579: f32;
-  var p580: u32;
-  var p581: f32;
-  var p85: f32;
-  var p86: f32;
-  var p87: f32;
-  var p88: f32;
-  var p89: f32;
   var p90: f32;
   var p91: f32;
   var p92: f32;
-  var p93: u32;
-  var p94: f32;
   var p95: bool;
   var p262: f32;
   var p263: f32;
   var p264: f32;
-  var p330: f32;
-  var p331: f32;
-  var p332: f32;
-  var p333: bool;
-  var p334: bool;
-  var p335: f32;
-  var p336: f32;
-  var p337: f32;
-  var p338: bool;
-  var p339: bool;
   var p340: bool;
   var p348: f32;
   var p349: f32;
-  var p350: f32;
-  var p351: bool;
   var p352: bool;
   var p347: bool;
-  var p356: f32;
-  var p357: f32;
-  var p358: f32;
-  var p359: f32;
-  var p360: f32;
-  var p361: f32;
   var p249: f32;
   var p250: f32;
   var p251: f32;
@@ -478,17 +398,14 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v964 = (v953 * v963);
                   let v965 = (v954 * v963);
                   let v966 = (v955 * v963);
-                  p977 = v964;
-                  p978 = v965;
-                  p979 = v966;
+                  p90 = v964;
+                  p91 = v965;
+                  p92 = v966;
                 } else {
-                  p977 = 0.0f;
-                  p978 = 0.0f;
-                  p979 = 0.0f;
+                  p90 = 0.0f;
+                  p91 = 0.0f;
+                  p92 = 0.0f;
                 }
-                let v977 = p977;
-                let v978 = p978;
-                let v979 = p979;
                 let v980 = (v915 * v937);
                 let v981 = (v1270 + v980);
                 let v982 = (v914 * v937);
@@ -542,21 +459,16 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1027 = bitcast<u32>(v1328);
                       let v1028 = (v993 & 2147483648u);
                       let v1029 = (v1028 | v1027);
-                      p1030 = v1029;
+                      p1036 = v1029;
                       p1031 = false;
                     } else {
                       p1031 = true;
                     }
-                    let v1030 = p1030;
                     let v1031 = p1031;
                     if v1031 {
                       let v1032 = (v993 & 2147483648u);
-                      p1033 = v1032;
-                    } else {
-                      p1033 = v1030;
+                      p1036 = v1032;
                     }
-                    let v1033 = p1033;
-                    p1036 = v1033;
                   } else {
                     p1036 = 2143289344u;
                   }
@@ -609,21 +521,16 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1080 = bitcast<u32>(v1333);
                       let v1081 = (v1046 & 2147483648u);
                       let v1082 = (v1081 | v1080);
-                      p1083 = v1082;
+                      p1087 = v1082;
                       p1084 = false;
                     } else {
                       p1084 = true;
                     }
-                    let v1083 = p1083;
                     let v1084 = p1084;
                     if v1084 {
                       let v1085 = (v1046 & 2147483648u);
-                      p1086 = v1085;
-                    } else {
-                      p1086 = v1083;
+                      p1087 = v1085;
                     }
-                    let v1086 = p1086;
-                    p1087 = v1086;
                   } else {
                     p1087 = 2143289344u;
                   }
@@ -634,14 +541,12 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v1091 = bitcast<f32>(v1087);
                   let v1092 = (v1091 * 0.31830987f);
                   let v1093 = (1.0f - v1092);
-                  p1034 = v1090;
-                  p1035 = v1093;
+                  p249 = v1090;
+                  p250 = v1093;
                 } else {
-                  p1034 = 0.0f;
-                  p1035 = 0.0f;
+                  p249 = 0.0f;
+                  p250 = 0.0f;
                 }
-                let v1034 = p1034;
-                let v1035 = p1035;
                 let v1094 = (v1288 & 2147483647u);
                 let v1095 = (v1304 & 2147483647u);
                 let v1096 = (v1319 & 2147483647u);
@@ -654,94 +559,39 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v1103 = (v1101 > v1102);
                 let v1104 = select(v1100, v1094, v1103);
                 let v1105 = bitcast<f32>(v1104);
-                p967 = v1034;
-                p968 = v1035;
-                p969 = v985;
-                p970 = v983;
-                p971 = v981;
-                p972 = v977;
-                p973 = v978;
-                p974 = v979;
-                p975 = v1272;
-                p976 = v1105;
+                p251 = v985;
+                p252 = v983;
+                p253 = v981;
+                p260 = v1272;
+                p261 = v1105;
               } else {
-                p967 = 0.0f;
-                p968 = 0.0f;
-                p969 = 0.0f;
-                p970 = 0.0f;
-                p971 = 0.0f;
-                p972 = 0.0f;
-                p973 = 0.0f;
-                p974 = 0.0f;
-                p975 = 0u;
-                p976 = 0.0f;
+                p249 = 0.0f;
+                p250 = 0.0f;
+                p251 = 0.0f;
+                p252 = 0.0f;
+                p253 = 0.0f;
+                p90 = 0.0f;
+                p91 = 0.0f;
+                p92 = 0.0f;
+                p260 = 0u;
+                p261 = 0.0f;
               }
-              let v967 = p967;
-              let v968 = p968;
-              let v969 = p969;
-              let v970 = p970;
-              let v971 = p971;
-              let v972 = p972;
-              let v973 = p973;
-              let v974 = p974;
-              let v975 = p975;
-              let v976 = p976;
-              p1106 = v967;
-              p1107 = v968;
-              p1108 = v969;
-              p1109 = v970;
-              p1110 = v971;
-              p1111 = v972;
-              p1112 = v973;
-              p1113 = v974;
-              p1114 = v975;
-              p1115 = v976;
             } else {
-              p1106 = 0.0f;
-              p1107 = 0.0f;
-              p1108 = 0.0f;
-              p1109 = 0.0f;
-              p1110 = 0.0f;
-              p1111 = 0.0f;
-              p1112 = 0.0f;
-              p1113 = 0.0f;
-              p1114 = 0u;
-              p1115 = 0.0f;
+              p249 = 0.0f;
+              p250 = 0.0f;
+              p251 = 0.0f;
+              p252 = 0.0f;
+              p253 = 0.0f;
+              p90 = 0.0f;
+              p91 = 0.0f;
+              p92 = 0.0f;
+              p260 = 0u;
+              p261 = 0.0f;
             }
-            let v1106 = p1106;
-            let v1107 = p1107;
-            let v1108 = p1108;
-            let v1109 = p1109;
-            let v1110 = p1110;
-            let v1111 = p1111;
-            let v1112 = p1112;
-            let v1113 = p1113;
-            let v1114 = p1114;
-            let v1115 = p1115;
-            p412 = v1106;
-            p413 = v1107;
-            p414 = v1108;
-            p415 = v1109;
-            p416 = v1110;
-            p417 = v1111;
-            p418 = v1112;
-            p419 = v1113;
-            p420 = v1114;
-            p421 = v1115;
             p422 = false;
           } else {
             p422 = true;
           }
-          let v412 = p412;
-          let v413 = p413;
-          let v414 = p414;
-          let v415 = p415;
-          let v416 = p416;
-          let v417 = p417;
-          let v418 = p418;
-          let v419 = p419;
-          let v420 = p420;
-          let v421 = p421;
           let v422 = p422;
           if v422 {
             let v424 = (v404 << (1u & 31u));
@@ -955,21 +805,16 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v632 = bitcast<u32>(v1356);
                   let v633 = (v598 & 2147483648u);
                   let v634 = (v633 | v632);
-                  p635 = v634;
+                  p641 = v634;
                   p636 = false;
                 } else {
                   p636 = true;
                 }
-                let v635 = p635;
                 let v636 = p636;
                 if v636 {
                   let v637 = (v598 & 2147483648u);
-                  p638 = v637;
-                } else {
-                  p638 = v635;
+                  p641 = v637;
                 }
-                let v638 = p638;
-                p641 = v638;
               } else {
                 p641 = 2143289344u;
               }
@@ -1022,21 +867,16 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v685 = bitcast<u32>(v1361);
                   let v686 = (v651 & 2147483648u);
                   let v687 = (v686 | v685);
-                  p688 = v687;
+                  p692 = v687;
                   p689 = false;
                 } else {
                   p689 = true;
                 }
-                let v688 = p688;
                 let v689 = p689;
                 if v689 {
                   let v690 = (v651 & 2147483648u);
-                  p691 = v690;
-                } else {
-                  p691 = v688;
+                  p692 = v690;
                 }
-                let v691 = p691;
-                p692 = v691;
               } else {
                 p692 = 2143289344u;
               }
@@ -1047,70 +887,28 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v696 = bitcast<f32>(v692);
               let v697 = (v696 * 0.31830987f);
               let v698 = (1.0f - v697);
-              p639 = v695;
-              p640 = v698;
+              p249 = v695;
+              p250 = v698;
             } else {
-              p639 = 0.0f;
-              p640 = 0.0f;
+              p249 = 0.0f;
+              p250 = 0.0f;
             }
-            let v639 = p639;
-            let v640 = p640;
-            p572 = v639;
-            p573 = v640;
-            p574 = v588;
-            p575 = v589;
-            p576 = v590;
-            p577 = v584;
-            p578 = v583;
-            p579 = v582;
-            p580 = v1348;
-            p581 = v1345;
-          } else {
-            p572 = v412;
-            p573 = v413;
-            p574 = v414;
-            p575 = v415;
-            p576 = v416;
-            p577 = v417;
-            p578 = v418;
-            p579 = v419;
-            p580 = v420;
-            p581 = v421;
+            p251 = v588;
+            p252 = v589;
+            p253 = v590;
+            p90 = v584;
+            p91 = v583;
+            p92 = v582;
+            p260 = v1348;
+            p261 = v1345;
           }
-          let v572 = p572;
-          let v573 = p573;
-          let v574 = p574;
-          let v575 = p575;
-          let v576 = p576;
-          let v577 = p577;
-          let v578 = p578;
-          let v579 = p579;
-          let v580 = p580;
-          let v581 = p581;
-          p85 = v572;
-          p86 = v573;
-          p87 = v574;
-          p88 = v575;
-          p89 = v576;
-          p90 = v577;
-          p91 = v578;
-          p92 = v579;
-          p93 = v580;
-          p94 = v581;
           p95 = false;
         } else {
           p95 = true;
         }
-        let v85 = p85;
-        let v86 = p86;
-        let v87 = p87;
-        let v88 = p88;
-        let v89 = p89;
         let v90 = p90;
         let v91 = p91;
         let v92 = p92;
-        let v93 = p93;
-        let v94 = p94;
         let v95 = p95;
         if v95 {
           let v1362 = (v1255 * 7u);
@@ -1362,87 +1160,52 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v344 = (v318 * v342);
                 let v345 = (v317 * v342);
                 let v346 = (v345 == 0.0f);
-                p330 = v343;
-                p331 = v344;
-                p332 = v345;
-                p333 = false;
-                p334 = v346;
+                p348 = v343;
+                p349 = v344;
+                p257 = v345;
+                p347 = false;
+                p352 = v346;
               } else {
-                p333 = true;
-                p334 = false;
+                p347 = true;
+                p352 = false;
               }
-              let v330 = p330;
-              let v331 = p331;
-              let v332 = p332;
-              let v333 = p333;
-              let v334 = p334;
-              p335 = v330;
-              p336 = v331;
-              p337 = v332;
-              p338 = v333;
-              p339 = v334;
               p340 = false;
             } else {
-              p338 = false;
-              p339 = false;
+              p347 = false;
+              p352 = false;
               p340 = true;
             }
-            let v335 = p335;
-            let v336 = p336;
-            let v337 = p337;
-            let v338 = p338;
-            let v339 = p339;
             let v340 = p340;
             if v340 {
               p348 = 0.0f;
               p349 = 0.0f;
-              p350 = 0.0f;
-              p351 = v328;
+              p257 = 0.0f;
+              p347 = v328;
               p352 = v329;
-            } else {
-              p348 = v335;
-              p349 = v336;
-              p350 = v337;
-              p351 = v338;
-              p352 = v339;
             }
             let v348 = p348;
             let v349 = p349;
-            let v350 = p350;
-            let v351 = p351;
             let v352 = p352;
             if v352 {
               let v353 = (v349 == 0.0f);
               let v354 = (v348 == 0.0f);
               let v355 = (v353 & v354);
               p347 = v355;
-            } else {
-              p347 = v351;
             }
             let v347 = p347;
             if v347 {
-              p356 = v264;
-              p357 = v263;
-              p358 = v262;
+              p259 = v264;
+              p258 = v263;
+              p257 = v262;
             } else {
-              p356 = v348;
-              p357 = v349;
-              p358 = v350;
+              p259 = v348;
+              p258 = v349;
             }
-            let v356 = p356;
-            let v357 = p357;
-            let v358 = p358;
-            p359 = v358;
-            p360 = v357;
-            p361 = v356;
           } else {
-            p359 = v262;
-            p360 = v263;
-            p361 = v264;
+            p257 = v262;
+            p258 = v263;
+            p259 = v264;
           }
-          let v359 = p359;
-          let v360 = p360;
-          let v361 = p361;
           let v1487 = v1400[1u];
           let v1488 = abs(v117);
           let v1489 = abs(v118);
@@ -1492,25 +1255,15 @@ fn surface(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           p254 = v262;
           p255 = v263;
           p256 = v264;
-          p257 = v359;
-          p258 = v360;
-          p259 = v361;
           p260 = v1487;
           p261 = v379;
         } else {
-          p249 = v85;
-          p250 = v86;
-          p251 = v87;
-          p252 = v88;
-          p253 = v89;
           p254 = v90;
           p255 = v91;
           p256 = v92;
           p257 = v90;
           p258 = v91;
           p259 = v92;
-          p260 = v93;
-          p261 = v94;
         }
         let v249 = p249;
         let v250 = p250;

@@ -8,26 +8,8 @@ var<private> bits_7fc00000: u32 = 2143289344u;
 @compute @workgroup_size(64, 1, 1)
 fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 193>;
-  var p93: f32;
-  var p94: f32;
-  var p95: bool;
-  var p119: f32;
-  var p120: f32;
-  var p121: bool;
   var p122: bool;
-  var p113: bool;
   var p114: bool;
-  var p97: f32;
-  var p98: f32;
-  var p99: f32;
-  var p100: f32;
-  var p101: f32;
-  var p1261: u32;
-  var p1263: u32;
-  var p1265: u32;
-  var p105: f32;
-  var p106: f32;
-  var p107: f32;
   var p108: bool;
   var p127: f32;
   var p128: f32;
@@ -42,26 +24,19 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p137: f32;
   var p171: f32;
   var p172: u32;
-  var p173: u32;
   var p174: f32;
-  var p175: u32;
   var p176: u32;
   var p177: u32;
   var p192: u32;
   var p193: u32;
   var p1279: u32;
   var p195: u32;
-  var p249: u32;
   var p250: u32;
-  var p251: u32;
   var p252: u32;
-  var p1736: u32;
   var p1737: u32;
   var p188: u32;
-  var p189: bool;
   var p190: u32;
   var p191: bool;
-  var p1738: u32;
   var p1739: u32;
   var p1740: bool;
   var p1741: u32;
@@ -69,75 +44,46 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1378: u32;
   var p573: u32;
   var p574: f32;
-  var p809: f32;
   var p812: f32;
-  var p579: u32;
-  var p580: f32;
   var p810: u32;
   var p811: f32;
-  var p1742: u32;
-  var p1743: f32;
   var p569: u32;
   var p570: f32;
   var p571: bool;
   var p1510: u32;
   var p356: u32;
   var p357: f32;
-  var p519: f32;
   var p522: f32;
-  var p362: u32;
-  var p363: f32;
   var p520: u32;
   var p521: f32;
-  var p1744: u32;
-  var p1745: f32;
   var p353: u32;
   var p354: f32;
   var p820: u32;
   var p821: f32;
-  var p822: bool;
   var p823: bool;
   var p852: bool;
   var p1554: u32;
   var p854: u32;
   var p855: f32;
-  var p1012: f32;
-  var p1013: f32;
   var p1017: f32;
   var p1063: f32;
   var p1106: f32;
   var p1149: f32;
-  var p1163: bool;
-  var p1164: u32;
-  var p1165: f32;
-  var p1060: bool;
-  var p1061: u32;
-  var p1062: f32;
-  var p1166: f32;
-  var p1167: u32;
   var p1168: bool;
   var p1014: bool;
   var p1015: u32;
   var p1016: f32;
-  var p1746: bool;
   var p1747: u32;
-  var p1748: f32;
   var p848: u32;
-  var p849: u32;
   var p850: f32;
   var p851: bool;
-  var p258: f32;
-  var p259: u32;
   var p260: f32;
   var p261: u32;
-  var p262: u32;
   var p263: f32;
   var p1171: u32;
   var p1187: bool;
   var p1188: u32;
-  var p1726: u32;
   var p1190: bool;
-  var p1749: u32;
   var p1750: u32;
   var p1751: bool;
   var p1173: u32;
@@ -232,79 +178,54 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         let v1256 = bitcast<f32>(v1255);
         let v125 = (v1256 > 0.0f);
         let v126 = select(0.0f, v1256, v125);
-        p93 = v126;
-        p94 = v1256;
-        p95 = false;
+        p137 = v126;
+        p136 = v1256;
+        p114 = false;
       } else {
-        p95 = true;
+        p114 = true;
       }
-      let v93 = p93;
-      let v94 = p94;
-      let v95 = p95;
-      p119 = v93;
-      p120 = v94;
-      p121 = v95;
       p122 = false;
     } else {
-      p121 = false;
+      p114 = false;
       p122 = true;
     }
-    let v119 = p119;
-    let v120 = p120;
-    let v121 = p121;
     let v122 = p122;
     if v122 {
       let v96 = !(v1250 > v1252);
-      p113 = true;
+      p108 = true;
       p114 = v96;
     } else {
-      p113 = false;
-      p114 = v121;
+      p108 = false;
     }
-    let v113 = p113;
     let v114 = p114;
     if v114 {
       let v1259 = v1230[3u];
       let v1260 = bitcast<f32>(v1259);
       let v117 = (v1260 > 0.0f);
       let v118 = select(0.0f, v1260, v117);
-      p97 = v118;
-      p98 = v1260;
-      p99 = v48;
-      p100 = v30;
-      p101 = v29;
-      p1261 = 0u;
-      p1263 = 1u;
-      p1265 = 2u;
-      p105 = v1232;
-      p106 = v1236;
-      p107 = v1240;
+      p137 = v118;
+      p136 = v1260;
+      p135 = v48;
+      p134 = v30;
+      p133 = v29;
+      p1275 = 0u;
+      p1273 = 1u;
+      p1271 = 2u;
+      p129 = v1232;
+      p128 = v1236;
+      p127 = v1240;
       p108 = false;
     } else {
-      p97 = v119;
-      p98 = v120;
-      p99 = v43;
-      p100 = v29;
-      p101 = v31;
-      p1261 = 2u;
-      p1263 = 0u;
-      p1265 = 1u;
-      p105 = v1240;
-      p106 = v1232;
-      p107 = v1236;
-      p108 = v113;
+      p135 = v43;
+      p134 = v29;
+      p133 = v31;
+      p1275 = 2u;
+      p1273 = 0u;
+      p1271 = 1u;
+      p129 = v1240;
+      p128 = v1232;
+      p127 = v1236;
     }
-    let v97 = p97;
-    let v98 = p98;
-    let v99 = p99;
-    let v100 = p100;
-    let v101 = p101;
-    let v1261 = p1261;
-    let v1263 = p1263;
-    let v1265 = p1265;
-    let v105 = p105;
-    let v106 = p106;
-    let v107 = p107;
     let v108 = p108;
     if v108 {
       let v1269 = v1230[3u];
@@ -322,18 +243,6 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
       p135 = v38;
       p136 = v1270;
       p137 = v112;
-    } else {
-      p127 = v107;
-      p128 = v106;
-      p129 = v105;
-      p1271 = v1265;
-      p1273 = v1263;
-      p1275 = v1261;
-      p133 = v101;
-      p134 = v100;
-      p135 = v99;
-      p136 = v98;
-      p137 = v97;
     }
     let v127 = p127;
     let v128 = p128;
@@ -379,19 +288,15 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
       let v167 = select(v87, v86, v166);
       p171 = v1228;
       p172 = 0u;
-      p173 = 0u;
+      p176 = 0u;
       p174 = v1228;
-      p175 = 0u;
+      p177 = 0u;
       var done0 = false;
       loop {
         if done0 { break; }
         let v171 = p171;
         let v172 = p172;
-        let v173 = p173;
         let v174 = p174;
-        let v175 = p175;
-        p176 = v173;
-        p177 = v175;
         var done1 = false;
         loop {
           if done1 { break; }
@@ -507,55 +412,46 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v1348 = (v1345 + 1u);
                   r0[v1348] = v1344;
                   let v248 = (v195 + 1u);
-                  p249 = v248;
+                  p250 = v248;
                 } else {
-                  p249 = v195;
+                  p250 = v195;
                 }
-                let v249 = p249;
-                p250 = v249;
-                p251 = v1343;
+                p193 = v1343;
                 p252 = v240;
               } else {
                 p250 = v195;
-                p251 = v193;
+                p193 = v193;
                 p252 = v192;
               }
               let v250 = p250;
-              let v251 = p251;
               let v252 = p252;
               let v1350 = (v1281 == 8u);
               p192 = v252;
-              p193 = v251;
               p1279 = v1281;
               p195 = v250;
-              p1736 = v250;
+              p190 = v250;
               p1737 = v252;
               done2 = v1350;
             }
-            let v1736 = p1736;
             let v1737 = p1737;
             let v254 = (v1737 == 4294967295u);
             p188 = v1737;
-            p189 = false;
-            p190 = v1736;
+            p1740 = false;
             p191 = v254;
           } else {
-            p189 = true;
+            p1740 = true;
             p191 = true;
           }
           let v188 = p188;
-          let v189 = p189;
           let v190 = p190;
           let v191 = p191;
           p176 = v190;
           p177 = v188;
-          p1738 = v176;
+          p1171 = v176;
           p1739 = v177;
-          p1740 = v189;
           p1741 = v190;
           done1 = v191;
         }
-        let v1738 = p1738;
         let v1739 = p1739;
         let v1740 = p1740;
         let v1741 = p1741;
@@ -892,12 +788,10 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v806 = select(v649, v804, v805);
                       let v807 = !(v806 >= v137);
                       let v808 = select(v806, bitcast<f32>(bits_7fc00000), v807);
-                      p809 = v808;
+                      p812 = v808;
                     } else {
-                      p809 = v799;
+                      p812 = v799;
                     }
-                    let v809 = p809;
-                    p812 = v809;
                   } else {
                     p812 = bitcast<f32>(bits_7fc00000);
                   }
@@ -910,16 +804,12 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v818 = (v814 | v817);
                   let v819 = (v813 & v818);
                   if v819 {
-                    p579 = v1387;
-                    p580 = v812;
+                    p810 = v1387;
+                    p811 = v812;
                   } else {
-                    p579 = v573;
-                    p580 = v574;
+                    p810 = v573;
+                    p811 = v574;
                   }
-                  let v579 = p579;
-                  let v580 = p580;
-                  p810 = v579;
-                  p811 = v580;
                 } else {
                   p810 = v573;
                   p811 = v574;
@@ -930,14 +820,10 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p1378 = v1380;
                 p573 = v810;
                 p574 = v811;
-                p1742 = v810;
-                p1743 = v811;
+                p569 = v810;
+                p570 = v811;
                 done3 = v1509;
               }
-              let v1742 = p1742;
-              let v1743 = p1743;
-              p569 = v1742;
-              p570 = v1743;
               p571 = false;
             } else {
               p571 = true;
@@ -1155,12 +1041,10 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v516 = select(v410, v514, v515);
                       let v517 = !(v516 >= v137);
                       let v518 = select(v516, bitcast<f32>(bits_7fc00000), v517);
-                      p519 = v518;
+                      p522 = v518;
                     } else {
-                      p519 = v509;
+                      p522 = v509;
                     }
-                    let v519 = p519;
-                    p522 = v519;
                   } else {
                     p522 = bitcast<f32>(bits_7fc00000);
                   }
@@ -1173,16 +1057,12 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   let v528 = (v524 | v527);
                   let v529 = (v523 & v528);
                   if v529 {
-                    p362 = v1519;
-                    p363 = v522;
+                    p520 = v1519;
+                    p521 = v522;
                   } else {
-                    p362 = v356;
-                    p363 = v357;
+                    p520 = v356;
+                    p521 = v357;
                   }
-                  let v362 = p362;
-                  let v363 = p363;
-                  p520 = v362;
-                  p521 = v363;
                 } else {
                   p520 = v356;
                   p521 = v357;
@@ -1193,14 +1073,10 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p1510 = v1512;
                 p356 = v520;
                 p357 = v521;
-                p1744 = v520;
-                p1745 = v521;
+                p353 = v520;
+                p354 = v521;
                 done4 = v1553;
               }
-              let v1744 = p1744;
-              let v1745 = p1745;
-              p353 = v1744;
-              p354 = v1745;
             } else {
               p353 = v569;
               p354 = v570;
@@ -1212,15 +1088,14 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             let v826 = select(v825, true, v824);
             p820 = v353;
             p821 = v354;
-            p822 = v826;
+            p851 = v826;
             p823 = false;
           } else {
-            p822 = false;
+            p851 = false;
             p823 = true;
           }
           let v820 = p820;
           let v821 = p821;
-          let v822 = p822;
           let v823 = p823;
           if v823 {
             let v827 = (v1739 & 536870911u);
@@ -1477,17 +1352,13 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1010 = select(v999, v927, v1009);
                     let v1011 = !(v1010 < v1003);
                     if v1011 {
-                      p1012 = v1003;
+                      p1017 = v1003;
                     } else {
-                      p1012 = v1010;
+                      p1017 = v1010;
                     }
-                    let v1012 = p1012;
-                    p1013 = v1012;
                   } else {
-                    p1013 = bitcast<f32>(bits_7fc00000);
+                    p1017 = bitcast<f32>(bits_7fc00000);
                   }
-                  let v1013 = p1013;
-                  p1017 = v1013;
                 } else {
                   p1017 = v927;
                 }
@@ -1652,43 +1523,27 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1161 = (v1160 & v1157);
                     let v1162 = (v1159 | v1161);
                     if v1162 {
-                      p1163 = true;
-                      p1164 = v1650;
-                      p1165 = v1017;
+                      p1168 = true;
+                      p1015 = v1650;
+                      p1016 = v1017;
                     } else {
-                      p1163 = false;
-                      p1164 = v854;
-                      p1165 = v855;
+                      p1168 = false;
+                      p1015 = v854;
+                      p1016 = v855;
                     }
-                    let v1163 = p1163;
-                    let v1164 = p1164;
-                    let v1165 = p1165;
-                    p1060 = v1163;
-                    p1061 = v1164;
-                    p1062 = v1165;
                   } else {
-                    p1060 = true;
-                    p1061 = v1650;
-                    p1062 = v1017;
+                    p1168 = true;
+                    p1015 = v1650;
+                    p1016 = v1017;
                   }
-                  let v1060 = p1060;
-                  let v1061 = p1061;
-                  let v1062 = p1062;
-                  p1166 = v1062;
-                  p1167 = v1061;
-                  p1168 = v1060;
                 } else {
-                  p1166 = v855;
-                  p1167 = v854;
+                  p1016 = v855;
+                  p1015 = v854;
                   p1168 = false;
                 }
-                let v1166 = p1166;
-                let v1167 = p1167;
                 let v1168 = p1168;
                 let v1169 = (v852 | v1168);
                 p1014 = v1169;
-                p1015 = v1167;
-                p1016 = v1166;
               } else {
                 p1014 = v852;
                 p1015 = v854;
@@ -1702,53 +1557,39 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               p1554 = v1556;
               p854 = v1015;
               p855 = v1016;
-              p1746 = v1014;
+              p851 = v1014;
               p1747 = v1015;
-              p1748 = v1016;
+              p850 = v1016;
               done5 = v1722;
             }
-            let v1746 = p1746;
             let v1747 = p1747;
-            let v1748 = p1748;
             p848 = v1747;
-            p849 = v1747;
-            p850 = v1748;
-            p851 = v1746;
+            p261 = v1747;
           } else {
             p848 = v172;
-            p849 = v820;
+            p261 = v820;
             p850 = v821;
-            p851 = v822;
           }
           let v848 = p848;
-          let v849 = p849;
           let v850 = p850;
           let v851 = p851;
           if v851 {
-            p258 = v850;
-            p259 = v849;
+            p263 = v850;
           } else {
-            p258 = v174;
-            p259 = v848;
+            p263 = v174;
+            p261 = v848;
           }
-          let v258 = p258;
-          let v259 = p259;
           p260 = v850;
-          p261 = v259;
-          p262 = v1738;
-          p263 = v258;
         } else {
           p260 = v171;
           p261 = v172;
-          p262 = v1741;
+          p1171 = v1741;
           p263 = v174;
         }
         let v260 = p260;
         let v261 = p261;
-        let v262 = p262;
         let v263 = p263;
         let v264 = bitcast<u32>(v263);
-        p1171 = v262;
         var done6 = false;
         loop {
           if done6 { break; }
@@ -1763,25 +1604,22 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             let v1735 = (v1723 + 4294967294u);
             p1187 = false;
             p1188 = v1178;
-            p1726 = v1735;
+            p1750 = v1735;
             p1190 = v1183;
           } else {
             p1187 = true;
-            p1726 = 0u;
+            p1750 = 0u;
             p1190 = true;
           }
           let v1187 = p1187;
           let v1188 = p1188;
-          let v1726 = p1726;
           let v1190 = p1190;
           let v1191 = (v1187 != true);
           p1171 = v1188;
-          p1749 = v1188;
-          p1750 = v1726;
+          p176 = v1188;
           p1751 = v1191;
           done6 = v1190;
         }
-        let v1749 = p1749;
         let v1750 = p1750;
         let v1751 = p1751;
         if v1751 {
@@ -1795,9 +1633,8 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         let v1174 = p1174;
         p171 = v260;
         p172 = v261;
-        p173 = v1749;
         p174 = v263;
-        p175 = v1173;
+        p177 = v1173;
         p1752 = v260;
         p1753 = v261;
         done0 = v1174;

@@ -16,9 +16,9 @@ pub fn close_loops(function: &mut Function, body: &mut Vec<Statement>) {
 }
 
 /// How often each value is an operand.
-type Uses = BTreeMap<Id, usize>;
+pub(super) type Uses = BTreeMap<Id, usize>;
 
-fn count_uses(function: &Function, statements: &[Statement], uses: &mut Uses) {
+pub(super) fn count_uses(function: &Function, statements: &[Statement], uses: &mut Uses) {
     let mut count = |value: &Value| {
         if let Value::Inst(id) = value {
             *uses.entry(*id).or_default() += 1;

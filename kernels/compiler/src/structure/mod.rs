@@ -2,8 +2,10 @@
 //!
 //! LLVM has already made the control flow reducible and its regions nested (`structurizecfg`): what is left
 //! are conditions whose two sides meet again, and loops with one latch, at which alone they are left.
-//! [`structure`] writes that down as statements, in loop-closed form, and refuses anything else.
+//! [`structure`] writes that down as statements, in loop-closed form and with few
+//! variables, and refuses anything else.
 
+mod coalesce;
 pub mod dominators;
 mod loop_closed;
 mod regions;
@@ -84,6 +86,7 @@ pub fn structure(kernel: &Kernel) -> Result<Structured, Reason> {
     let mut kernel = kernel.clone();
     let mut body = regions::statements(&kernel.function)?;
     loop_closed::close_loops(&mut kernel.function, &mut body);
+    coalesce::coalesce(&kernel.function, &mut body);
     Ok(Structured { kernel, body })
 }
 
