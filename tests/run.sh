@@ -5,4 +5,4 @@ cd "$(dirname "$0")/.."
 source tests/setup.sh
 # Models that may not ship with the project; tests that want them say SKIPPED when they are not there.
 export PARALLAX_MODELS="${PARALLAX_MODELS:-$(cd .. && pwd)/shared/scenes}"
-cargo test --workspace --locked "$@"
+cargo test --workspace --locked --no-fail-fast "$@"

@@ -163,10 +163,14 @@ mod tests {
     fn every_defect_is_found() {
         assert_eq!(after(|_| ()), None);
         assert!(matches!(after(|rows| rows[LINKS].0[0] = 1 << 28), Some(Defect::Link(_))));
-        assert!(matches!(after(|rows| rows[LINKS].0[0] = LEAF | KIND), Some(Defect::Link(_))));
+        let of_no_kind = after(|rows| {
+            rows.push(Row([NONE; LANES]));
+            rows[LINKS].0[0] = LEAF | KIND | (rows.len() as u32 - 1);
+        });
+        assert!(matches!(of_no_kind, Some(Defect::Link(_))), "{of_no_kind:?}");
         assert!(matches!(after(|rows| rows[LINKS].0[0] = rows[LINKS].0[1]), Some(Defect::ReachedTwice(_))));
         assert!(matches!(after(|rows| rows[LINKS].0[0] = 0), Some(Defect::ReachedTwice(0))));
-        assert!(matches!(after(|rows| rows[3].0[0] = 0.0f32.to_bits()), Some(Defect::Box(_))));
+        assert!(matches!(after(|rows| rows[3].0[0] = rows[0].0[0]), Some(Defect::Box(_))));
         let last = |rows: &Vec<Row>| rows.len() - 1;
         assert!(matches!(
             after(|rows| {
