@@ -15,6 +15,9 @@ use parallax_tests::reference::Reference;
 use rayon::prelude::*;
 use std::marker::PhantomData;
 
+/// How many rays of each mesh go through the slower variants too, those by lanes above all: with ten meshes a million in all.
+const SCANNED: usize = 100_000;
+
 const FAR_OFF: [f32; 3] = [148_376.0, 1234.0, -223_423.0];
 
 /// Walks all rays; `ANY`: only whether they hit, `SCAN`: lane after lane.
@@ -71,14 +74,17 @@ fn faults<R: Rules>(mesh: &Mesh, rays: &[Ray]) -> Faults {
     let expected = hits::<R, false, false>(InstructionSet::BASELINE, &structures[0], rays);
     for bvh in &structures {
         for set in InstructionSet::available() {
-            for hits in [hits::<R, false, false>(set, bvh, rays), hits::<R, false, true>(set, bvh, rays)] {
+            let some = &rays[..rays.len().min(SCANNED)];
+            for hits in [hits::<R, false, false>(set, bvh, rays), hits::<R, false, true>(set, bvh, some)] {
                 let differs = hits.iter().zip(&expected).map(|(a, b)| !same(a, b));
                 faults.differ_between_structures += count(differs);
             }
         }
+        let some = &rays[..rays.len().min(SCANNED)];
         for any in [
             hits::<R, true, false>(InstructionSet::best(), bvh, rays),
-            hits::<R, true, true>(InstructionSet::BASELINE, bvh, rays),
+            hits::<R, true, false>(InstructionSet::BASELINE, bvh, some),
+            hits::<R, true, true>(InstructionSet::BASELINE, bvh, some),
         ] {
             let differs = any.iter().zip(&expected).map(|(a, b)| (a.prim_id == NONE) != (b.prim_id == NONE));
             faults.any_differs_from_nearest += count(differs);

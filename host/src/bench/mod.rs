@@ -2,7 +2,10 @@
 //!
 //! One thread, one process, the same rays for all, run in turn chunk by chunk, so that what disturbs one disturbs all; times are
 //! medians over repetitions, and answers are checked against each other. Embree picks its AVX-512 kernels where the machine has it.
-//! obvhs is compiled as this workspace compiles it: for the baseline, with glam's `scalar-math`.
+//!
+//! obvhs is at a disadvantage here: it is compiled as this workspace compiles it, for the baseline and with glam's `scalar-math`, which
+//! takes away the SSE2 vectors that its box tests and its CWBVH are written for. A build of its own is faster; features of one build
+//! add up, so that only a package outside of this workspace could measure it.
 
 mod contender;
 #[cfg(feature = "embree")]

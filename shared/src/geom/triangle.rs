@@ -6,18 +6,13 @@
 //!   not hit. So no structure over such boxes can lose a hit.
 //! * z is scaled by 1/d_z while projecting, so that coordinates of 10¹⁵ do not overflow.
 
-use crate::layout::{Hit, Row};
+use crate::layout::Hit;
 use crate::math::{div, max, min};
-use crate::traversal::ray::Prepared;
-use crate::traversal::rows::{TRIANGLE_ROWS, float};
+use crate::traversal::ray::{Prepared, XYZ_AT};
+use crate::traversal::rows::{LANES, NUMBERS, Triangles, vector};
 use crate::traversal::rules::{Rules, closer};
 use crate::traversal::slab::own_box;
-use kernel_api::rare;
-
-const XYZ: [usize; 3] = [0, 1, 2];
-
-/// A pack of triangles.
-pub type Pack = [Row; TRIANGLE_ROWS];
+use kernel_api::{At, rare};
 
 /// What the edge functions say of one triangle.
 #[derive(Clone, Copy)]
@@ -37,9 +32,21 @@ fn project(vertex: [f32; 3], origin: [f32; 3], shear: [f32; 3]) -> [f32; 3] {
     [(vertex[0] - origin[0]) - shear[0] * z, (vertex[1] - origin[1]) - shear[1] * z, z]
 }
 
-/// The edge functions of a triangle whose coordinates are in the ray's order of axes.
+/// The vertices of the triangle in `lane`, their coordinates in the order of `axes_at`.
 #[inline(always)]
-fn edges(a: [f32; 3], b: [f32; 3], c: [f32; 3], ray: &Prepared) -> Edges {
+fn vertices(pack: &Triangles, lane: usize, [x, y, z]: [usize; 3]) -> [[f32; 3]; 3] {
+    const NEXT: usize = 3 * LANES;
+    [
+        vector(pack, [x, y, z], lane),
+        vector(pack, [x + NEXT, y + NEXT, z + NEXT], lane),
+        vector(pack, [x + 2 * NEXT, y + 2 * NEXT, z + 2 * NEXT], lane),
+    ]
+}
+
+/// The edge functions of the triangle in `lane`.
+#[inline(always)]
+pub fn edges(pack: &Triangles, lane: usize, ray: &Prepared) -> Edges {
+    let [a, b, c] = vertices(pack, lane, ray.axes_at);
     let [ax, ay, az] = project(a, ray.origin, ray.shear);
     let [bx, by, bz] = project(b, ray.origin, ray.shear);
     let [cx, cy, cz] = project(c, ray.origin, ray.shear);
@@ -49,24 +56,6 @@ fn edges(a: [f32; 3], b: [f32; 3], c: [f32; 3], ray: &Prepared) -> Edges {
     let least = min(min(u, v), w);
     let most = max(max(u, v), w);
     Edges { scaled_t: u * az + v * bz + w * cz, area: u + v + w, inside: max(least, 0.0 - most) }
-}
-
-/// Vertex `corner` of the triangle in `lane`, its coordinates in the order of `axes`.
-#[inline(always)]
-fn vertex(pack: &Pack, lane: usize, axes: [usize; 3], corner: usize) -> [f32; 3] {
-    let first = 3 * corner;
-    [
-        float(&pack[axes[0] + first], lane),
-        float(&pack[axes[1] + first], lane),
-        float(&pack[axes[2] + first], lane),
-    ]
-}
-
-/// The edge functions of the triangle in `lane`.
-#[inline(always)]
-pub fn edges_of(pack: &Pack, lane: usize, ray: &Prepared) -> Edges {
-    let (a, b) = (vertex(pack, lane, ray.axes, 0), vertex(pack, lane, ray.axes, 1));
-    edges(a, b, vertex(pack, lane, ray.axes, 2), ray)
 }
 
 /// Dekker's error of the product `p = fl(a·b)`, exact without fma as long as nothing over- or underflows.
@@ -99,9 +88,15 @@ fn edge_sign<R: Rules>(p: [f32; 3], q: [f32; 3]) -> (bool, bool) {
 
 /// Whether the triangle owns a ray that meets its projection at an edge or vertex, or too close to it to tell in rounded arithmetic.
 #[rare]
-fn owns<R: Rules>(pack: &Pack, lane: usize, axes: [usize; 3], origin: [f32; 3], shear: [f32; 3]) -> bool {
-    let at = |corner| project(vertex(pack, lane, axes, corner), origin, shear);
-    let (a, b, c) = (at(0), at(1), at(2));
+fn owns<R: Rules>(
+    pack: &Triangles,
+    lane: usize,
+    axes_at: [usize; 3],
+    origin: [f32; 3],
+    shear: [f32; 3],
+) -> bool {
+    let [a, b, c] = vertices(pack, lane, axes_at);
+    let (a, b, c) = (project(a, origin, shear), project(b, origin, shear), project(c, origin, shear));
     let (u, v, w) = (edge_sign::<R>(c, b), edge_sign::<R>(a, c), edge_sign::<R>(b, a));
     (u.0 & v.0 & w.0) | (u.1 & v.1 & w.1)
 }
@@ -114,17 +109,17 @@ fn outside(t: f32, near: f32, far: f32) -> f32 {
 
 /// Makes the triangle in `lane`, whose edge functions do not rule it out, the best hit if it is one; returns whether it is.
 #[inline(always)]
-pub fn accept<R: Rules>(pack: &Pack, lane: usize, edges: Edges, ray: &Prepared, best: &mut Hit) -> bool {
+pub fn accept<R: Rules>(pack: &Triangles, lane: usize, edges: Edges, ray: &Prepared, best: &mut Hit) -> bool {
     let t = div(edges.scaled_t, edges.area);
-    let prim_id = pack[TRIANGLE_ROWS - 1].0[lane];
-    let [a, b, c] = [vertex(pack, lane, XYZ, 0), vertex(pack, lane, XYZ, 1), vertex(pack, lane, XYZ, 2)];
+    let prim_id = pack.at(NUMBERS * LANES + lane);
+    let [a, b, c] = vertices(pack, lane, XYZ_AT);
     let low = [min(a[0], min(b[0], c[0])), min(a[1], min(b[1], c[1])), min(a[2], min(b[2], c[2]))];
     let high = [max(a[0], max(b[0], c[0])), max(a[1], max(b[1], c[1])), max(a[2], max(b[2], c[2]))];
     let (near, far) = own_box(low, high, ray);
     // A branch, not a selection: the best hit then waits for the division alone, and the box is checked meanwhile.
     let t = if (near <= t) & (t <= far) { t } else { outside(t, near, far) };
     if (t >= ray.t_min) & closer::<R>(t, prim_id, best) {
-        if (edges.inside <= 0.0) && !owns::<R>(pack, lane, ray.axes, ray.origin, ray.shear) {
+        if (edges.inside <= 0.0) && !owns::<R>(pack, lane, ray.axes_at, ray.origin, ray.shear) {
             return false;
         }
         *best = Hit { t, prim_id };

@@ -2,13 +2,13 @@
 //! node to the next.
 
 use super::ray::Prepared;
-use super::rows::{LANES, LINKS, NODE_ROWS, STACK};
+use super::rows::{LANES, LINKS, Node, STACK, Triangles};
 use super::rules::Rules;
 use super::slab::{self, Lanes};
 use super::walk::Entry;
-use crate::geom::triangle::{self, Edges, Pack};
-use crate::layout::{Hit, Row};
-use kernel_api::OpenStack;
+use crate::geom::triangle::{self, Edges};
+use crate::layout::Hit;
+use kernel_api::{At, OpenStack};
 
 /// Entry distance above the link: what children are sorted by, and not by the distance alone, so that equal distances have an order.
 #[inline(always)]
@@ -36,13 +36,13 @@ fn next(hit: &mut Lanes, enter: &[f32; LANES], links: &[u32; LANES]) -> u64 {
 /// The child to go to next; the others that are hit go onto the stack. `ANY`: in the order of lanes, else the nearest first.
 #[inline(always)]
 pub(super) fn visit<const ANY: bool>(
-    node: &[Row; NODE_ROWS],
+    node: &Node,
     ray: &Prepared,
     limit: f32,
     stack: &mut OpenStack<Entry, STACK>,
 ) -> Option<u32> {
     let (enter, hit) = slab::children(node, ray, limit);
-    let links = &node[LINKS].0;
+    let links = node.window::<LANES>((LINKS * LANES) as u32);
     let mut hit = Lanes::of(&hit);
     if hit.is_empty() {
         return None;
@@ -85,11 +85,11 @@ pub(super) fn visit<const ANY: bool>(
 
 /// Tests a pack of triangles; returns whether the best hit came closer.
 #[inline(always)]
-pub(super) fn triangles<R: Rules>(pack: &Pack, ray: &Prepared, best: &mut Hit) -> bool {
+pub(super) fn triangles<R: Rules>(pack: &Triangles, ray: &Prepared, best: &mut Hit) -> bool {
     let (mut scaled_t, mut area, mut inside) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     let mut candidate = [false; LANES];
     for lane in 0..LANES {
-        let edges = triangle::edges_of(pack, lane, ray);
+        let edges = triangle::edges(pack, lane, ray);
         (scaled_t[lane], area[lane], inside[lane]) = (edges.scaled_t, edges.area, edges.inside);
     }
     // A loop of its own: in the loop above the mask would be packed and extracted byte by byte.

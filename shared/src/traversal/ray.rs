@@ -1,5 +1,6 @@
 //! What a traversal works out once for each ray.
 
+use super::rows::LANES;
 use super::rules::Rules;
 use crate::layout::Ray;
 use crate::math::{div, max, min};
@@ -7,11 +8,16 @@ use crate::math::{div, max, min};
 /// 1/d is clamped to this, so that zero and denormal components of a direction need no case of their own.
 const LARGEST_INVERSE: f32 = 1e18;
 
+/// At which word of a triangle's vertex x, y and z start.
+pub(crate) const XYZ_AT: [usize; 3] = [0, LANES, 2 * LANES];
+
 /// A ray with the constants of its slab tests and projections.
 #[derive(Clone, Copy)]
 pub struct Prepared {
     /// The ray itself, its `t_min` +0 or more.
     pub ray: Ray,
+    /// By how much every box is padded.
+    pub padding: f32,
     /// Origins that are shifted by the padding, for near and for far planes: every box grows by the same amount, at no cost.
     pub near_origin: [f32; 3],
     /// See `near_origin`.
@@ -20,12 +26,14 @@ pub struct Prepared {
     pub t_min: f32,
     /// 1/direction, clamped.
     pub inv_dir: [f32; 3],
-    /// Which row of a node holds the near planes of each axis: picked by address, never by selecting values.
-    pub(crate) near_row: [usize; 3],
+    /// At which word of a node the near planes of each axis start: picked by address, never by selecting values. In words, as an
+    /// address takes them; row numbers would be shifted for every node.
+    pub(crate) near_at: [usize; 3],
     /// Likewise for the far planes.
-    pub(crate) far_row: [usize; 3],
-    /// The axes in an order that has the largest component of the direction last.
-    pub(crate) axes: [usize; 3],
+    pub(crate) far_at: [usize; 3],
+    /// At which word of a triangle's vertex the coordinates start, in an order of the axes that has the largest component of the
+    /// direction last.
+    pub(crate) axes_at: [usize; 3],
     /// The origin in that order.
     pub(crate) origin: [f32; 3],
     /// The direction in that order, the last component inverted.
@@ -47,43 +55,49 @@ impl Prepared {
         let inv_dir = [inverse[0], inverse[1], inverse[2]];
         let padding = (largest(ray.origin) + extent) * R::PADDING;
         let (mut near_origin, mut far_origin) = (ray.origin, ray.origin);
-        let (mut near_row, mut far_row) = ([0; 3], [0; 3]);
+        let (mut near_at, mut far_at) = ([0; 3], [0; 3]);
         for axis in 0..3 {
             let sign = dir[axis].to_bits() & 0x8000_0000;
-            let three = 3 * (sign >> 31) as usize;
-            near_row[axis] = axis + three;
-            far_row[axis] = axis + 3 - three;
+            let three_rows = 3 * LANES * (sign >> 31) as usize;
+            near_at[axis] = LANES * axis + three_rows;
+            far_at[axis] = LANES * axis + (3 * LANES - three_rows);
             let shift = f32::from_bits(padding.to_bits() | sign);
             near_origin[axis] = ray.origin[axis] + shift;
             far_origin[axis] = ray.origin[axis] - shift;
         }
         let last = largest_axis(dir);
         let (dir, inverse) = (ending_with(last, dir), ending_with(last, inv_dir));
-        let t_min = max(ray.t_min, 0.0);
+        // Not −0, whose bits do not have their place in the order; a NaN stays, and is behind the end of every box.
+        let t_min = if ray.t_min <= 0.0 { 0.0 } else { ray.t_min };
         Self {
             ray: Ray { t_min, ..*ray },
+            padding,
             near_origin,
             far_origin,
             t_min,
             inv_dir,
-            near_row,
-            far_row,
-            axes: ending_with(last, [0, 1, 2]),
+            near_at,
+            far_at,
+            axes_at: ending_with(last, XYZ_AT),
             origin: ending_with(last, ray.origin),
             shear: [dir[0], dir[1], inverse[2]],
         }
     }
 
-    /// Whether the ray, as it was `given`, can hit anything: not if a number in it is NaN, its origin, direction or `t_min` is infinite, or its direction
-    /// too short for 1/d.
+    /// Whether a walk with the ray is defined: its origin is finite, and the largest component of its direction neither infinite nor
+    /// too small for 1/d. A NaN elsewhere makes the edge functions of every triangle NaN, and lets it miss them in any case.
     #[inline(always)]
-    pub fn is_proper(&self, given: &Ray) -> bool {
-        let Ray { origin: o, dir: d, t_min, .. } = *given;
+    pub fn is_proper(&self) -> bool {
+        let last = self.shear[2].abs();
+        (self.padding < f32::INFINITY) & (last < LARGEST_INVERSE) & (last > 0.0)
+    }
+
+    /// Whether all components of origin and direction are finite: for primitives that, unlike triangles, may be hit by a NaN.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        let Ray { origin: o, dir: d, .. } = self.ray;
         // Zero, or NaN if any of them is infinite or NaN.
-        let zero =
-            (o[0] * 0.0 + o[1] * 0.0) + (o[2] * 0.0 + d[0] * 0.0) + (d[1] * 0.0 + d[2] * 0.0) + t_min * 0.0;
-        let last = self.shear[2];
-        (zero == 0.0) & (last < LARGEST_INVERSE) & (last > -LARGEST_INVERSE)
+        (o[0] * 0.0 + o[1] * 0.0 + o[2] * 0.0) + (d[0] * 0.0 + d[1] * 0.0 + d[2] * 0.0) == 0.0
     }
 }
 

@@ -1,7 +1,7 @@
 //! Packs of spheres and ellipsoids, lane after lane for both drivers.
 
 use super::ray::Prepared;
-use super::rows::{ELLIPSOID_ROWS, KIND, Kind, LANES, ROW, SPHERE_ROWS, float};
+use super::rows::{ELLIPSOID_ROWS, KIND, Kind, LANES, ROW, SPHERE_ROWS};
 use super::rules::{Rules, closer};
 use super::slab::own_box;
 use crate::geom::ellipsoid::{self, ToUnit};
@@ -13,8 +13,11 @@ use kernel_api::{At, rare};
 ///
 /// Out of line on a CPU, from the ray as it was given and by value: a walk through triangles keeps its registers, and does not pay.
 #[rare]
-pub(super) fn pack<R: Rules>(rows: &[Row], link: u32, ray: &Ray, extent: f32, mut best: Hit) -> Hit {
-    let ray = Prepared::new::<R>(ray, extent);
+pub(super) fn pack<R: Rules>(rows: &[Row], link: u32, ray: Ray, extent: f32, mut best: Hit) -> Hit {
+    let ray = Prepared::new::<R>(&ray, extent);
+    if !ray.is_finite() {
+        return best;
+    }
     if link & KIND == Kind::Spheres as u32 {
         spheres::<R>(rows.window(link & ROW), &ray, &mut best);
     } else {
@@ -26,7 +29,7 @@ pub(super) fn pack<R: Rules>(rows: &[Row], link: u32, ray: &Ray, extent: f32, mu
 #[inline(always)]
 fn spheres<R: Rules>(pack: &[Row; SPHERE_ROWS], ray: &Prepared, best: &mut Hit) {
     for lane in 0..LANES {
-        let at = |row: usize| float(&pack[row], lane);
+        let at = |row: usize| f32::from_bits(pack[row].0[lane]);
         let prim_id = pack[SPHERE_ROWS - 1].0[lane];
         if prim_id != NONE {
             let (centre, radius) = ([at(0), at(1), at(2)], at(3));
@@ -40,7 +43,7 @@ fn spheres<R: Rules>(pack: &[Row; SPHERE_ROWS], ray: &Prepared, best: &mut Hit) 
 #[inline(always)]
 fn ellipsoids<R: Rules>(pack: &[Row; ELLIPSOID_ROWS], ray: &Prepared, best: &mut Hit) {
     for lane in 0..LANES {
-        let at = |row: usize| float(&pack[row], lane);
+        let at = |row: usize| f32::from_bits(pack[row].0[lane]);
         let prim_id = pack[ELLIPSOID_ROWS - 1].0[lane];
         if prim_id != NONE {
             let world_to_unit = [3, 7, 11].map(|row| [at(row), at(row + 1), at(row + 2), at(row + 3)]);

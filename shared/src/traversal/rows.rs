@@ -7,6 +7,8 @@
 //!   coordinates that are NaN, which no comparison accepts.
 
 use crate::layout::Row;
+use bytemuck::must_cast_ref;
+use kernel_api::At;
 
 /// Lanes of a row: children of a node, primitives of a pack.
 pub const LANES: usize = 8;
@@ -14,6 +16,8 @@ pub const LANES: usize = 8;
 pub const NODE_ROWS: usize = 7;
 /// Which row of a node holds the links.
 pub const LINKS: usize = 6;
+/// Which row of a pack of triangles holds their numbers.
+pub const NUMBERS: usize = 9;
 /// Rows of a pack of triangles: three vertices (x, y, z each), numbers.
 pub const TRIANGLE_ROWS: usize = 10;
 /// Rows of a pack of spheres: centre, radius, numbers; one more keeps packs even.
@@ -43,8 +47,34 @@ pub enum Kind {
     Ellipsoids = 2 << 29,
 }
 
-/// The number in `lane` of `row`.
+/// A node, as words.
+pub type Node = [u32; NODE_ROWS * LANES];
+/// A pack of triangles, as words.
+pub type Triangles = [u32; TRIANGLE_ROWS * LANES];
+
+/// The node in row `link`.
 #[inline(always)]
-pub(crate) fn float(row: &Row, lane: usize) -> f32 {
-    f32::from_bits(row.0[lane % LANES])
+pub(crate) fn node(rows: &[Row], link: u32) -> &Node {
+    must_cast_ref(rows.window::<NODE_ROWS>(link))
+}
+
+/// The pack of triangles behind `link`.
+#[inline(always)]
+pub(crate) fn triangles(rows: &[Row], link: u32) -> &Triangles {
+    must_cast_ref(rows.window::<TRIANGLE_ROWS>(link & ROW))
+}
+
+/// The vector in `lane` of three rows of a node or pack, given by the words at which they start.
+///
+/// Written out: a closure in `map` may stay a call, compiled without vector instructions, which would throw all the ray's constants
+/// out of their registers.
+#[inline(always)]
+pub(crate) fn vector(words: &[u32], starts: [usize; 3], lane: usize) -> [f32; 3] {
+    [float(words, starts[0], lane), float(words, starts[1], lane), float(words, starts[2], lane)]
+}
+
+/// The number in `lane` of the row that starts at word `start`.
+#[inline(always)]
+fn float(words: &[u32], start: usize, lane: usize) -> f32 {
+    f32::from_bits(words.window::<LANES>(start as u32)[lane % LANES])
 }

@@ -2,8 +2,7 @@
 //! bit. Hence no box that holds a hit is ever missed or culled, and no tolerance is needed anywhere.
 
 use super::ray::Prepared;
-use super::rows::{LANES, NODE_ROWS, float};
-use crate::layout::Row;
+use super::rows::{LANES, Node, vector};
 use crate::math::{max, min};
 
 /// Where the ray enters and leaves a padded box, given its near and far planes, within `t_min` and `limit`. It is hit if the first is
@@ -16,25 +15,19 @@ pub(super) fn slab(near: [f32; 3], far: [f32; 3], ray: &Prepared, limit: f32) ->
     let leave_x = (far[0] - ray.far_origin[0]) * ray.inv_dir[0];
     let leave_y = (far[1] - ray.far_origin[1]) * ray.inv_dir[1];
     let leave_z = (far[2] - ray.far_origin[2]) * ray.inv_dir[2];
+    // t_min comes first, so that the result is never −0.
     (max(enter_z, max(enter_y, max(enter_x, ray.t_min))), min(leave_z, min(leave_y, min(leave_x, limit))))
 }
 
 /// [`slab`] of the child in `lane`.
 #[inline(always)]
-pub(super) fn child(node: &[Row; NODE_ROWS], lane: usize, ray: &Prepared, limit: f32) -> (f32, f32) {
-    slab(corner(node, ray.near_row, lane), corner(node, ray.far_row, lane), ray, limit)
-}
-
-/// Three planes of the box in `lane`. Written out: a closure in `map` may stay a call, compiled without vector instructions, which
-/// would throw all the ray's constants out of their registers.
-#[inline(always)]
-fn corner(node: &[Row; NODE_ROWS], rows: [usize; 3], lane: usize) -> [f32; 3] {
-    [float(&node[rows[0]], lane), float(&node[rows[1]], lane), float(&node[rows[2]], lane)]
+pub(super) fn child(node: &Node, lane: usize, ray: &Prepared, limit: f32) -> (f32, f32) {
+    slab(vector(node, ray.near_at, lane), vector(node, ray.far_at, lane), ray, limit)
 }
 
 /// [`slab`] of all children: where they are entered, and which of them are hit.
 #[inline(always)]
-pub(super) fn children(node: &[Row; NODE_ROWS], ray: &Prepared, limit: f32) -> ([f32; LANES], [bool; LANES]) {
+pub(super) fn children(node: &Node, ray: &Prepared, limit: f32) -> ([f32; LANES], [bool; LANES]) {
     let (mut enter, mut leave, mut hit) = ([0.0; LANES], [0.0; LANES], [false; LANES]);
     for lane in 0..LANES {
         (enter[lane], leave[lane]) = child(node, lane, ray, limit);

@@ -1,11 +1,11 @@
 //! The way of a ray through the nodes, the nearest first, for both drivers.
 
 use super::ray::Prepared;
-use super::rows::{KIND, LEAF, ROW, STACK};
+use super::rows::{self, KIND, LEAF, STACK};
 use super::rules::Rules;
 use super::{arrays, lanes, round};
 use crate::layout::{Hit, NONE, Ray, Row};
-use kernel_api::{At, Stack};
+use kernel_api::Stack;
 
 /// A link and the bits of the distance at which its box is entered. Distances are +0 or more, so their bits have their order.
 #[derive(Clone, Copy)]
@@ -20,7 +20,7 @@ pub(super) struct Entry {
 pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &Ray, extent: f32) -> Hit {
     let ray = Prepared::new::<R>(given, extent);
     let mut best = Hit { t: given.t_max, prim_id: 0 };
-    if !ray.is_proper(given) {
+    if !ray.is_proper() {
         return miss();
     }
     let mut memory = Stack::<Entry, STACK>::new();
@@ -29,7 +29,7 @@ pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &R
     let mut link = 0;
     loop {
         if link & LEAF == 0 {
-            let node = rows.window(link);
+            let node = rows::node(rows, link);
             let next = if SCAN {
                 lanes::visit(node, &ray, limit, stack)
             } else {
@@ -42,12 +42,12 @@ pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &R
         } else {
             let closer = if link & KIND != 0 {
                 let before = best;
-                best = round::pack::<R>(rows, link, given, extent, before);
+                best = round::pack::<R>(rows, link, *given, extent, before);
                 best.t != before.t || best.prim_id != before.prim_id
             } else if SCAN {
-                lanes::triangles::<R>(rows.window(link & ROW), &ray, &mut best)
+                lanes::triangles::<R>(rows::triangles(rows, link), &ray, &mut best)
             } else {
-                arrays::triangles::<R>(rows.window(link & ROW), &ray, &mut best)
+                arrays::triangles::<R>(rows::triangles(rows, link), &ray, &mut best)
             };
             if closer {
                 if ANY {

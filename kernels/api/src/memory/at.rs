@@ -77,7 +77,9 @@ impl<T> At<T> for [T] {
     fn window<const N: usize>(&self, i: u32) -> &[T; N] {
         let i = i as usize;
         #[cfg(not(feature = "device"))]
-        assert!(i + N <= self.len(), "{N} elements from {i} on of {}", self.len());
+        if i + N > self.len() {
+            beyond(N, i, self.len());
+        }
         // SAFETY: in range (checked above); on the device as in `at_ref`.
         unsafe { &*self.as_ptr().add(i).cast() }
     }
@@ -90,6 +92,14 @@ impl<T> At<T> for [T] {
         #[cfg(feature = "device")]
         return unsafe { *self.get_unchecked_mut(i.index()) = value };
     }
+}
+
+/// Out of line and by value, so that a loop around [`At::window`] keeps nothing in memory for the message.
+#[cfg(not(feature = "device"))]
+#[cold]
+#[inline(never)]
+fn beyond(count: usize, from: usize, len: usize) -> ! {
+    panic!("{count} elements from {from} on of {len}")
 }
 
 #[cfg(test)]

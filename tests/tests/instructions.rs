@@ -1,0 +1,92 @@
+//! Instructions per ray, counted by valgrind: a figure that a busy machine cannot disturb, where times tell little. It is held to
+//! the committed ones, so that a change that costs speed is seen when it is made.
+
+use std::process::Command;
+
+/// Instruction set, query, and instructions per ray of the release build. To be replaced by what a failure reports, when the change
+/// is meant and times agree.
+const FIGURES: [(&str, &str, f64); 4] = [
+    ("SSE2", "nearest", 1999.7),
+    ("SSE2", "any", 1612.7),
+    ("AVX2", "nearest", 1490.5),
+    ("AVX2", "any", 1212.9),
+];
+
+/// How far a count may be from its figure.
+const TOLERANCE: f64 = 0.03;
+
+/// What is wrong with a count.
+fn complaint(what: &str, counted: f64, figure: f64) -> Option<String> {
+    let change = counted / figure - 1.0;
+    let (verdict, advice) = if change > TOLERANCE {
+        ("more", "find what costs them, or commit the new figure")
+    } else if change < -TOLERANCE {
+        ("fewer", "commit the new figure, so that they stay saved")
+    } else {
+        return None;
+    };
+    let percent = 100.0 * change.abs();
+    Some(format!(
+        "{what}: {counted:.1} instructions per ray, {percent:.1} % {verdict} than {figure}: {advice}"
+    ))
+}
+
+/// Instructions per ray; none where the machine, as valgrind shows it, lacks the instruction set.
+fn count(set: &str, query: &str) -> Option<f64> {
+    let directory = tempfile::tempdir().unwrap();
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--collect-atstart=no", "--toggle-collect=*counted_traversal*"])
+        .arg(format!("--callgrind-out-file={}", directory.path().join("counts").display()))
+        .arg(env!("CARGO_BIN_EXE_instructions"))
+        .args([set, query])
+        .output()
+        .unwrap();
+    let (said, log) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{said}{log}");
+    if said.trim() == "unavailable" {
+        return None;
+    }
+    let number = |text: &str, label: &str| {
+        let number = text.split(label).nth(1).and_then(|rest| rest.split_whitespace().next()?.parse().ok());
+        number.unwrap_or_else(|| panic!("no {label:?} in {text}"))
+    };
+    let (rays, instructions): (f64, f64) = (number(&said, "rays "), number(&log, "Collected : "));
+    assert!(instructions > 100.0 * rays, "{instructions} instructions for {rays} rays: nothing was counted");
+    Some(instructions / rays)
+}
+
+fn valgrind_is_there() -> bool {
+    Command::new("valgrind").arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+#[test]
+fn rays_cost_the_instructions_that_they_did() {
+    if cfg!(debug_assertions) || !cfg!(target_arch = "x86_64") {
+        println!(
+            "SKIPPED: instructions are those of a release build for x86-64 (cargo test --release --test instructions)"
+        );
+        return;
+    }
+    if !valgrind_is_there() {
+        println!("SKIPPED: no valgrind to count instructions with");
+        return;
+    }
+    let mut complaints = Vec::new();
+    for (set, query, figure) in FIGURES {
+        match count(set, query) {
+            Some(counted) => complaints.extend(complaint(&format!("{set}, {query}"), counted, figure)),
+            None => println!("SKIPPED: valgrind shows no {set} here"),
+        }
+    }
+    assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+}
+
+#[test]
+fn a_doctored_figure_is_told_apart() {
+    assert_eq!(complaint("x", 1000.0, 1000.0), None);
+    assert_eq!(complaint("x", 1029.0, 1000.0), None);
+    for (counted, verdict) in [(1031.0, "more"), (969.0, "fewer"), (f64::INFINITY, "more")] {
+        let complaint = complaint("x", counted, 1000.0).unwrap();
+        assert!(complaint.contains(verdict), "{complaint}");
+    }
+}
