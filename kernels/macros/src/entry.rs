@@ -3,10 +3,10 @@
 use crate::parameter::{Kind, Parameter};
 use proc_macro2::TokenStream;
 use quote::ToTokens;
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use syn::parse::Parser;
 use syn::punctuated::Punctuated;
-use syn::{Error, FnArg, ItemFn, LitInt, Meta, Result, ReturnType, Token};
+use syn::{Error, FnArg, Ident, ItemFn, LitInt, Meta, Result, ReturnType, Token};
 
 /// An entry point as declared.
 pub struct Entry {
@@ -30,6 +30,7 @@ impl Entry {
             parameters.push(Parameter::read(argument, parameters.len() as u32)?);
         }
         distinct(&parameters)?;
+        without_gaps(&parameters)?;
         Ok(Entry { threads, parameters })
     }
 }
@@ -90,18 +91,38 @@ fn plain(function: &ItemFn) -> Result<()> {
     Err(Error::new_spanned(&word, format!("an entry point cannot be `{word}`")))
 }
 
+/// The bindings of each descriptor set count from 0: with a gap (seen with wgpu 30 on lavapipe) the buffers behind it stay unwritten.
+fn without_gaps(parameters: &[Parameter]) -> Result<()> {
+    let mut sets = BTreeMap::<u32, BTreeMap<u32, &Ident>>::new();
+    for parameter in parameters {
+        if let Some((set, binding)) = parameter.kind.place() {
+            sets.entry(set).or_default().insert(binding, &parameter.name);
+        }
+    }
+    for (set, bindings) in sets {
+        for (expected, (binding, name)) in (0..).zip(bindings) {
+            if binding != expected {
+                let message = format!(
+                    "descriptor set {set} has no binding {expected}: bindings count from 0 without gaps"
+                );
+                return Err(Error::new_spanned(name, message));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// No two parameters may claim one binding, the push constant or one specialisation constant.
 fn distinct(parameters: &[Parameter]) -> Result<()> {
     let mut seen = HashSet::new();
     for parameter in parameters {
         let what = match &parameter.kind {
-            Kind::Uniform { set, binding, .. }
-            | Kind::Read { set, binding, .. }
-            | Kind::Write { set, binding, .. }
-            | Kind::Atomic { set, binding, .. } => format!("binding {binding} of descriptor set {set}"),
             Kind::Push { .. } => "the push constant".to_string(),
             Kind::Constant { id, .. } => format!("specialisation constant {id}"),
-            Kind::Builtin(_) | Kind::Workgroup { .. } => continue,
+            kind => match kind.place() {
+                Some((set, binding)) => format!("binding {binding} of descriptor set {set}"),
+                None => continue,
+            },
         };
         if !seen.insert(what.clone()) {
             return Err(Error::new_spanned(&parameter.name, format!("{what} is declared twice")));

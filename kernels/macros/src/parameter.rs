@@ -59,6 +59,19 @@ pub enum Kind {
     },
 }
 
+impl Kind {
+    /// Descriptor set and binding, if it is bound to one.
+    pub fn place(&self) -> Option<(u32, u32)> {
+        match *self {
+            Kind::Uniform { set, binding, .. }
+            | Kind::Read { set, binding, .. }
+            | Kind::Write { set, binding, .. }
+            | Kind::Atomic { set, binding, .. } => Some((set, binding)),
+            Kind::Builtin(_) | Kind::Push { .. } | Kind::Workgroup { .. } | Kind::Constant { .. } => None,
+        }
+    }
+}
+
 const BUILTINS: [&str; 5] = [
     "global_invocation_id",
     "local_invocation_id",

@@ -152,6 +152,12 @@ fn a_constant_has_an_id_and_a_default_of_its_type() {
 }
 
 #[test]
+fn bindings_have_no_gaps() {
+    let gap = quote!(#[spirv(uniform, binding = 0)] a: &u32, #[spirv(uniform, binding = 2)] b: &u32);
+    assert_eq!(refused(gap), "descriptor set 0 has no binding 1: bindings count from 0 without gaps");
+}
+
+#[test]
 fn nothing_is_declared_twice() {
     let twice =
         quote!(#[spirv(storage_buffer, binding = 1)] a: &[u32], #[spirv(uniform, binding = 1)] b: &u32);
@@ -168,9 +174,9 @@ fn everything() -> (Entry, ItemFn) {
         pub fn all_of_it(
             #[spirv(global_invocation_id)] id: UVec3,
             #[spirv(uniform, descriptor_set = 1, binding = 0)] p: &P,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a: &[T],
-            #[spirv(storage_buffer, binding = 2)] o: Out<T>,
-            #[spirv(storage_buffer, binding = 3)] c: &[AtomicI32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] a: &[T],
+            #[spirv(storage_buffer, binding = 1)] o: Out<T>,
+            #[spirv(storage_buffer, binding = 2)] c: &[AtomicI32],
             #[spirv(push_constant)] q: &Q,
             #[spirv(workgroup)] w: &Workgroup<u32, 64>,
             #[spirv(spec_constant(id = 1, default = -0.5))] s: f32,
@@ -191,9 +197,9 @@ fn the_expansion_for_rust_gpu_is_spirv_stds() {
         pub fn all_of_it(
             #[spirv(global_invocation_id)] id: UVec3,
             #[spirv(uniform, descriptor_set = 1, binding = 0)] p: &P,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] a: &[T],
-            #[spirv(storage_buffer, binding = 2)] o: &mut [T],
-            #[spirv(storage_buffer, binding = 3)] c: &[AtomicI32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] a: &[T],
+            #[spirv(storage_buffer, binding = 1)] o: &mut [T],
+            #[spirv(storage_buffer, binding = 2)] c: &[AtomicI32],
             #[spirv(push_constant)] q: &Q,
             #[spirv(workgroup)] w: &mut [u32; 64],
             #[spirv(spec_constant(id = 1u32, default = 3204448256u32))] s: u32,
@@ -218,9 +224,9 @@ fn the_device_entry_asks_for_each_argument() {
         all_of_it(
             ::kernel_api::rt::global_invocation_id(),
             ::kernel_api::rt::uniform(1u32, 0u32),
-            ::kernel_api::rt::slice(0u32, 1u32),
-            ::kernel_api::rt::out(0u32, 2u32),
-            ::kernel_api::rt::slice(0u32, 3u32),
+            ::kernel_api::rt::slice(0u32, 0u32),
+            ::kernel_api::rt::out(0u32, 1u32),
+            ::kernel_api::rt::slice(0u32, 2u32),
             ::kernel_api::rt::push_constant(),
             ::kernel_api::rt::workgroup(6u32),
             f32::from_bits(::kernel_api::rt::__k_spec(1u32, 3204448256u32)),

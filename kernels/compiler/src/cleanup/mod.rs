@@ -1,7 +1,7 @@
 //! Clean-up of lowered kernels.
 //!
 //! Lowering leaves copies, values of odd widths and much that nobody uses. In turn: [copies] are resolved, [odd
-//! integers](promote) put into words, then [folding](fold), [merging of equal values](equal) and [removal of unused ones](unused)
+//! integers](promote) put into words, then [folding](fold), [spelling out of arithmetic with zeros](zeros), [merging of equal values](equal) and [removal of unused ones](unused)
 //! repeat until nothing changes, and last four stores to one record become [one of 128 bits](stores).
 
 pub mod builder;
@@ -11,6 +11,7 @@ pub mod fold;
 pub mod promote;
 pub mod stores;
 pub mod unused;
+pub mod zeros;
 
 use crate::ir::{Function, Id, Kernel, Op, Value};
 
@@ -21,6 +22,7 @@ pub fn cleanup(kernel: &mut Kernel) {
     copies::resolve(&mut kernel.function);
     loop {
         let mut changed = simplify(&mut kernel.function);
+        zeros::spell_out(&mut kernel.function);
         copies::resolve(&mut kernel.function);
         changed |= equal::merge(kernel);
         copies::resolve(&mut kernel.function);

@@ -68,3 +68,32 @@ exit:
     assert_eq!(count(&k, |op| matches!(op, Op::Phi(_))), 1);
     assert_eq!(output(&k, &[6]).0[0], 6);
 }
+
+#[test]
+fn arithmetic_with_constant_zeros_is_spelled_out() {
+    let cases: [(&str, fn(f32) -> f32); 6] = [
+        ("fadd float %f, 0.000000e+00", |x| x + 0.0),
+        ("fadd float -0.000000e+00, %f", |x| -0.0 + x),
+        ("fsub float %f, 0.000000e+00", |x| x - 0.0),
+        ("fsub float 0.000000e+00, %f", |x| 0.0 - x),
+        ("fmul float %f, 0.000000e+00", |x| x * 0.0),
+        ("fmul float -0.000000e+00, %f", |x| -0.0 * x),
+    ];
+    for (instruction, expected) in cases {
+        let k = kernel(&format!(
+            "  %f = bitcast i32 %x to float
+  %r = {instruction}
+  %b = bitcast float %r to i32
+  store i32 %b, ptr %out, align 4
+  ret void"
+        ));
+        let left =
+            count(&k, |op| matches!(op, Op::Binary(BinaryOp::FAdd | BinaryOp::FSub | BinaryOp::FMul, ..)));
+        assert_eq!(left, 0, "{instruction}");
+        for x in [0.0, -0.0, 1.5, -1.5, 1e-40, f32::MAX, f32::INFINITY, -f32::INFINITY, f32::NAN] {
+            let (result, expected) = (f32::from_bits(output(&k, &[x.to_bits()]).0[0]), expected(x));
+            let same = result.to_bits() == expected.to_bits() || result.is_nan() && expected.is_nan();
+            assert!(same, "{instruction} of {x}: {result} instead of {expected}");
+        }
+    }
+}
