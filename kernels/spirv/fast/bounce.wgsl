@@ -71,13 +71,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p611: u32;
   var p651: u32;
   var p653: u32;
-  var p6475: u32;
+  var p6549: u32;
   var p604: u32;
   var p606: u32;
   var p607: bool;
-  var p6477: u32;
-  var p6478: bool;
-  var p6479: u32;
+  var p6551: u32;
+  var p6552: bool;
+  var p6553: u32;
   var p672: bool;
   var p4980: u32;
   var p886: u32;
@@ -111,7 +111,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1328: bool;
   var p1329: u32;
   var p1330: f32;
-  var p6485: u32;
+  var p6559: u32;
   var p1162: u32;
   var p1164: f32;
   var p1165: bool;
@@ -122,12 +122,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p4572: bool;
   var p4573: u32;
   var p4575: bool;
-  var p6488: u32;
-  var p6489: bool;
+  var p6562: u32;
+  var p6563: bool;
   var p1487: u32;
   var p1488: bool;
-  var p6490: f32;
-  var p6491: u32;
+  var p6564: f32;
+  var p6565: u32;
   var p2661: u32;
   var p2662: bool;
   var p2667: u32;
@@ -238,14 +238,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p3459: u32;
   var p3499: u32;
   var p3501: u32;
-  var p6493: u32;
+  var p6567: u32;
   var p3451: u32;
   var p3452: bool;
   var p3453: u32;
   var p3454: bool;
-  var p6495: u32;
-  var p6496: u32;
-  var p6497: bool;
+  var p6569: u32;
+  var p6570: u32;
+  var p6571: bool;
   var p3520: bool;
   var p3521: bool;
   var p5969: u32;
@@ -280,7 +280,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p4176: bool;
   var p4177: u32;
   var p4178: f32;
-  var p6502: u32;
+  var p6576: u32;
   var p3525: u32;
   var p3526: u32;
   var p3527: f32;
@@ -289,9 +289,9 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p4339: u32;
   var p4341: bool;
   var p4342: bool;
-  var p6505: u32;
-  var p6507: f32;
-  var p6508: bool;
+  var p6579: u32;
+  var p6581: f32;
+  var p6582: bool;
   var p4338: bool;
   var p4350: u32;
   var p4351: bool;
@@ -972,16 +972,37 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v535 = p535;
                 if v535 {
                   r1[192u] = 0u;
-                  let v536 = (v4840 * 0.0f);
-                  let v537 = (v4844 * 0.0f);
-                  let v538 = (v536 + v537);
-                  let v539 = (v4848 * 0.0f);
-                  let v540 = (v538 + v539);
-                  let v541 = (v4852 * 0.0f);
-                  let v542 = (v4856 * 0.0f);
-                  let v543 = (v541 + v542);
-                  let v544 = (v4860 * 0.0f);
-                  let v545 = (v543 + v544);
+                  let v6474 = (v4839 & 2147483647u);
+                  let v6475 = (v6474 < 2139095040u);
+                  let v6476 = (v4839 & 2147483648u);
+                  let v6477 = select(2143289344u, v6476, v6475);
+                  let v6478 = bitcast<f32>(v6477);
+                  let v6479 = (v4843 & 2147483647u);
+                  let v6480 = (v6479 < 2139095040u);
+                  let v6481 = (v4843 & 2147483648u);
+                  let v6482 = select(2143289344u, v6481, v6480);
+                  let v6483 = bitcast<f32>(v6482);
+                  let v538 = (v6478 + v6483);
+                  let v6484 = (v4847 & 2147483647u);
+                  let v6485 = (v6484 < 2139095040u);
+                  let v6486 = (v4847 & 2147483648u);
+                  let v6487 = select(2143289344u, v6486, v6485);
+                  let v6488 = bitcast<f32>(v6487);
+                  let v540 = (v538 + v6488);
+                  let v6489 = (v4851 & 2147483647u);
+                  let v6490 = (v6489 < 2139095040u);
+                  let v6492 = select(2143289344u, v454, v6490);
+                  let v6493 = bitcast<f32>(v6492);
+                  let v6494 = (v4855 & 2147483647u);
+                  let v6495 = (v6494 < 2139095040u);
+                  let v6497 = select(2143289344u, v462, v6495);
+                  let v6498 = bitcast<f32>(v6497);
+                  let v543 = (v6493 + v6498);
+                  let v6499 = (v4859 & 2147483647u);
+                  let v6500 = (v6499 < 2139095040u);
+                  let v6502 = select(2143289344u, v470, v6500);
+                  let v6503 = bitcast<f32>(v6502);
+                  let v545 = (v543 + v6503);
                   let v546 = (v540 + v545);
                   let v547 = (v546 == 0.0f);
                   let v548 = (v4852 * 4097.0f);
@@ -1153,16 +1174,16 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           p4914 = v4916;
                           p611 = v651;
                           p606 = v651;
-                          p6475 = v653;
+                          p6549 = v653;
                           done3 = v4979;
                         }
-                        let v6475 = p6475;
-                        let v671 = (v6475 == 4294967295u);
-                        p604 = v6475;
-                        p6478 = false;
+                        let v6549 = p6549;
+                        let v671 = (v6549 == 4294967295u);
+                        p604 = v6549;
+                        p6552 = false;
                         p607 = v671;
                       } else {
-                        p6478 = true;
+                        p6552 = true;
                         p607 = true;
                       }
                       let v604 = p604;
@@ -1171,14 +1192,14 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       p593 = v606;
                       p594 = v604;
                       p1485 = v593;
-                      p6477 = v594;
-                      p6479 = v606;
+                      p6551 = v594;
+                      p6553 = v606;
                       done2 = v607;
                     }
-                    let v6477 = p6477;
-                    let v6478 = p6478;
-                    let v6479 = p6479;
-                    let v4571 = (v6478 != true);
+                    let v6551 = p6551;
+                    let v6552 = p6552;
+                    let v6553 = p6553;
+                    let v4571 = (v6552 != true);
                     if v4571 {
                       p672 = false;
                     } else {
@@ -1186,12 +1207,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     }
                     let v672 = p672;
                     if v672 {
-                      let v673 = (v6477 & 1610612736u);
+                      let v673 = (v6551 & 1610612736u);
                       let v674 = (v673 != 0u);
                       if v674 {
                         if v547 {
                           let v682 = (v673 != 536870912u);
-                          let v683 = (v6477 & 536870911u);
+                          let v683 = (v6551 & 536870911u);
                           if v682 {
                             p4980 = 0u;
                             p886 = v589;
@@ -1795,7 +1816,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1134 = p1134;
                       let v1136 = p1136;
                       if v1136 {
-                        let v1142 = (v6477 & 536870911u);
+                        let v1142 = (v6551 & 536870911u);
                         p1166 = false;
                         p5156 = 0u;
                         p1168 = v589;
@@ -1907,9 +1928,11 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           let v1227 = select(v1218, v1215, v1226);
                           let v1228 = (v1227 > v1221);
                           let v1229 = select(v1221, v1227, v1228);
-                          let v1230 = (0.0f - v1229);
-                          let v1231 = (v1225 > v1230);
-                          let v1232 = select(v1230, v1225, v1231);
+                          let v6504 = -(v1229);
+                          let v6505 = (v6504 == 0.0f);
+                          let v6506 = select(v6504, 0.0f, v6505);
+                          let v1231 = (v1225 > v6506);
+                          let v1232 = select(v6506, v1225, v1231);
                           let v1233 = (v1232 >= 0.0f);
                           if v1233 {
                             let v1234 = (v1190 * v1215);
@@ -2252,13 +2275,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           p1168 = v1329;
                           p1169 = v1330;
                           p1165 = v1328;
-                          p6485 = v1329;
+                          p6559 = v1329;
                           p1164 = v1330;
                           done6 = v5315;
                         }
-                        let v6485 = p6485;
-                        p1162 = v6485;
-                        p678 = v6485;
+                        let v6559 = p6559;
+                        p1162 = v6559;
+                        p678 = v6559;
                       } else {
                         p1162 = v589;
                         p678 = v1133;
@@ -2277,7 +2300,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     } else {
                       p677 = v588;
                       p678 = v589;
-                      p1485 = v6479;
+                      p1485 = v6553;
                       p680 = v591;
                     }
                     let v677 = p677;
@@ -2298,11 +2321,11 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v6473 = (v5316 + 4294967294u);
                         p4572 = false;
                         p4573 = v1493;
-                        p6488 = v6473;
+                        p6562 = v6473;
                         p4575 = v1498;
                       } else {
                         p4572 = true;
-                        p6488 = 0u;
+                        p6562 = 0u;
                         p4575 = true;
                       }
                       let v4572 = p4572;
@@ -2311,13 +2334,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v4576 = (v4572 != true);
                       p1485 = v4573;
                       p593 = v4573;
-                      p6489 = v4576;
+                      p6563 = v4576;
                       done7 = v4575;
                     }
-                    let v6488 = p6488;
-                    let v6489 = p6489;
-                    if v6489 {
-                      let v5320 = r1[v6488];
+                    let v6562 = p6562;
+                    let v6563 = p6563;
+                    if v6563 {
+                      let v5320 = r1[v6562];
                       p1487 = v5320;
                       p1488 = false;
                     } else {
@@ -2329,23 +2352,23 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     p589 = v678;
                     p591 = v680;
                     p594 = v1487;
-                    p6490 = v677;
-                    p6491 = v678;
+                    p6564 = v677;
+                    p6565 = v678;
                     done1 = v1488;
                   }
-                  let v6490 = p6490;
-                  let v6491 = p6491;
-                  let v1489 = !((v6490 < bitcast<f32>(bits_7f800000)) || (v6490 > bitcast<f32>(bits_7f800000)));
-                  let v1490 = (v6491 == 4294967295u);
+                  let v6564 = p6564;
+                  let v6565 = p6565;
+                  let v1489 = !((v6564 < bitcast<f32>(bits_7f800000)) || (v6564 > bitcast<f32>(bits_7f800000)));
+                  let v1490 = (v6565 == 4294967295u);
                   let v1491 = select(v1490, true, v1489);
                   let v1492 = (v1491 != true);
                   if v1492 {
                     let v5321 = r4[0u][3u];
-                    let v1772 = (v6491 < v5321);
+                    let v1772 = (v6565 < v5321);
                     let v1773 = select(false, v1772, v342);
                     let v1774 = (v1773 != true);
                     if v1774 {
-                      let v2079 = (v6491 - v5321);
+                      let v2079 = (v6565 - v5321);
                       let v5322 = r4[1u][3u];
                       let v2081 = (v2079 < v5322);
                       let v2082 = select(false, v2081, v345);
@@ -2535,10 +2558,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                             let v2533 = (v2516 - v2532);
                             let v2534 = (v2516 + v2532);
                             let v2535 = (v2455 + v2533);
-                            let v2536 = (v6490 - v2535);
+                            let v2536 = (v6564 - v2535);
                             let v5384 = abs(v2536);
                             let v2538 = (v2455 + v2534);
-                            let v2539 = (v6490 - v2538);
+                            let v2539 = (v6564 - v2538);
                             let v5385 = abs(v2539);
                             let v2541 = !(v5384 <= v5385);
                             let v2542 = select(v2533, v2534, v2541);
@@ -2913,10 +2936,10 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v2197 = (v2180 - v2196);
                         let v2198 = (v2180 + v2196);
                         let v2199 = (v2133 + v2197);
-                        let v2200 = (v6490 - v2199);
+                        let v2200 = (v6564 - v2199);
                         let v5413 = abs(v2200);
                         let v2202 = (v2133 + v2198);
-                        let v2203 = (v6490 - v2202);
+                        let v2203 = (v6564 - v2202);
                         let v5414 = abs(v2203);
                         let v2205 = !(v5413 <= v5414);
                         let v2206 = select(v2197, v2198, v2205);
@@ -3130,7 +3153,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v1784 = p1784;
                     let v1785 = p1785;
                     if v1785 {
-                      let v5425 = (v6491 * 7u);
+                      let v5425 = (v6565 * 7u);
                       let v5426 = r6[v5425];
                       let v5427 = v5426[0u];
                       let v5428 = bitcast<f32>(v5427);
@@ -3178,13 +3201,13 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1827 = (v1821 - v1824);
                       let v1828 = (v1822 - v1825);
                       let v1829 = (v1823 - v1826);
-                      let v1830 = (v4852 * v6490);
-                      let v1831 = (v4856 * v6490);
-                      let v1832 = (v4860 * v6490);
-                      let v1833 = (v6490 * 4097.0f);
-                      let v1834 = (v1833 - v6490);
+                      let v1830 = (v4852 * v6564);
+                      let v1831 = (v4856 * v6564);
+                      let v1832 = (v4860 * v6564);
+                      let v1833 = (v6564 * 4097.0f);
+                      let v1834 = (v1833 - v6564);
                       let v1835 = (v1833 - v1834);
-                      let v1836 = (v6490 - v1835);
+                      let v1836 = (v6564 - v1835);
                       let v1837 = (v550 * v1835);
                       let v1838 = (v1837 - v1830);
                       let v1839 = (v550 * v1836);
@@ -4354,16 +4377,40 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v3391 = (v3390 & v3389);
                               if v3391 {
                                 r0[192u] = 0u;
-                                let v3392 = (v3276 * 0.0f);
-                                let v3393 = (v3277 * 0.0f);
-                                let v3394 = (v3392 + v3393);
-                                let v3395 = (v3278 * 0.0f);
-                                let v3396 = (v3395 + v3394);
-                                let v3397 = (v3282 * 0.0f);
-                                let v3398 = (v3281 * 0.0f);
-                                let v3399 = (v3397 + v3398);
-                                let v3400 = (v3280 * 0.0f);
-                                let v3401 = (v3400 + v3399);
+                                let v6507 = bitcast<u32>(v3276);
+                                let v6508 = (v6507 & 2147483647u);
+                                let v6509 = (v6508 < 2139095040u);
+                                let v6510 = (v6507 & 2147483648u);
+                                let v6511 = select(2143289344u, v6510, v6509);
+                                let v6512 = bitcast<f32>(v6511);
+                                let v6513 = bitcast<u32>(v3277);
+                                let v6514 = (v6513 & 2147483647u);
+                                let v6515 = (v6514 < 2139095040u);
+                                let v6516 = (v6513 & 2147483648u);
+                                let v6517 = select(2143289344u, v6516, v6515);
+                                let v6518 = bitcast<f32>(v6517);
+                                let v3394 = (v6512 + v6518);
+                                let v6519 = bitcast<u32>(v3278);
+                                let v6520 = (v6519 & 2147483647u);
+                                let v6521 = (v6520 < 2139095040u);
+                                let v6522 = (v6519 & 2147483648u);
+                                let v6523 = select(2143289344u, v6522, v6521);
+                                let v6524 = bitcast<f32>(v6523);
+                                let v3396 = (v6524 + v3394);
+                                let v6526 = (v3284 & 2147483647u);
+                                let v6527 = (v6526 < 2139095040u);
+                                let v6529 = select(2143289344u, v3312, v6527);
+                                let v6530 = bitcast<f32>(v6529);
+                                let v6532 = (v3285 & 2147483647u);
+                                let v6533 = (v6532 < 2139095040u);
+                                let v6535 = select(2143289344u, v3320, v6533);
+                                let v6536 = bitcast<f32>(v6535);
+                                let v3399 = (v6530 + v6536);
+                                let v6538 = (v3286 & 2147483647u);
+                                let v6539 = (v6538 < 2139095040u);
+                                let v6541 = select(2143289344u, v3328, v6539);
+                                let v6542 = bitcast<f32>(v6541);
+                                let v3401 = (v6542 + v3399);
                                 let v3402 = (v3396 + v3401);
                                 let v3403 = (v3402 == 0.0f);
                                 let v3404 = (v3282 * 4097.0f);
@@ -4533,12 +4580,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                         p5903 = v5905;
                                         p3459 = v3499;
                                         p3453 = v3499;
-                                        p6493 = v3501;
+                                        p6567 = v3501;
                                         done11 = v5968;
                                       }
-                                      let v6493 = p6493;
-                                      let v3519 = (v6493 == 4294967295u);
-                                      p3451 = v6493;
+                                      let v6567 = p6567;
+                                      let v3519 = (v6567 == 4294967295u);
+                                      p3451 = v6567;
                                       p3452 = false;
                                       p3454 = v3519;
                                     } else {
@@ -4553,15 +4600,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                     p3440 = v3453;
                                     p3441 = v3451;
                                     p3525 = v3440;
-                                    p6495 = v3441;
-                                    p6496 = v3453;
-                                    p6497 = v3455;
+                                    p6569 = v3441;
+                                    p6570 = v3453;
+                                    p6571 = v3455;
                                     done10 = v3454;
                                   }
-                                  let v6495 = p6495;
-                                  let v6496 = p6496;
-                                  let v6497 = p6497;
-                                  if v6497 {
+                                  let v6569 = p6569;
+                                  let v6570 = p6570;
+                                  let v6571 = p6571;
+                                  if v6571 {
                                     p3520 = true;
                                     p3521 = false;
                                   } else {
@@ -4571,12 +4618,12 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                   let v3520 = p3520;
                                   let v3521 = p3521;
                                   if v3521 {
-                                    let v3522 = (v6495 & 1610612736u);
+                                    let v3522 = (v6569 & 1610612736u);
                                     let v3523 = (v3522 != 0u);
                                     if v3523 {
                                       if v3403 {
                                         let v3529 = (v3522 != 536870912u);
-                                        let v3530 = (v6495 & 536870911u);
+                                        let v3530 = (v6569 & 536870911u);
                                         if v3529 {
                                           p5969 = 0u;
                                           p3733 = v3437;
@@ -5181,7 +5228,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                     let v3981 = p3981;
                                     let v3983 = p3983;
                                     if v3983 {
-                                      let v3990 = (v6495 & 536870911u);
+                                      let v3990 = (v6569 & 536870911u);
                                       p4014 = false;
                                       p6145 = 0u;
                                       p4016 = v3437;
@@ -5293,9 +5340,11 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                         let v4075 = select(v4066, v4063, v4074);
                                         let v4076 = (v4075 > v4069);
                                         let v4077 = select(v4069, v4075, v4076);
-                                        let v4078 = (0.0f - v4077);
-                                        let v4079 = (v4073 > v4078);
-                                        let v4080 = select(v4078, v4073, v4079);
+                                        let v6543 = -(v4077);
+                                        let v6544 = (v6543 == 0.0f);
+                                        let v6545 = select(v6543, 0.0f, v6544);
+                                        let v4079 = (v4073 > v6545);
+                                        let v4080 = select(v6545, v4073, v4079);
                                         let v4081 = (v4080 >= 0.0f);
                                         if v4081 {
                                           let v4082 = (v4038 * v4063);
@@ -5638,21 +5687,21 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                         p6145 = v6147;
                                         p4016 = v4177;
                                         p4017 = v4178;
-                                        p6502 = v4177;
+                                        p6576 = v4177;
                                         p3527 = v4178;
                                         p3528 = v4179;
                                         done14 = v6304;
                                       }
-                                      let v6502 = p6502;
-                                      p6505 = v6502;
-                                      p3526 = v6502;
+                                      let v6576 = p6576;
+                                      p6579 = v6576;
+                                      p3526 = v6576;
                                     } else {
-                                      p6505 = v3980;
+                                      p6579 = v3980;
                                       p3526 = v3437;
                                       p3527 = v3981;
                                     }
                                   } else {
-                                    p3525 = v6496;
+                                    p3525 = v6570;
                                     p3526 = v3437;
                                     p3527 = v3436;
                                     p3528 = v3520;
@@ -5690,15 +5739,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                   p3437 = v3526;
                                   p3441 = v4339;
                                   p4350 = v3526;
-                                  p6507 = v3527;
-                                  p6508 = v4343;
+                                  p6581 = v3527;
+                                  p6582 = v4343;
                                   done9 = v4342;
                                 }
-                                let v6505 = p6505;
-                                let v6507 = p6507;
-                                let v6508 = p6508;
-                                if v6508 {
-                                  let v4335 = !(v6507 < 1.0f);
+                                let v6579 = p6579;
+                                let v6581 = p6581;
+                                let v6582 = p6582;
+                                if v6582 {
+                                  let v4335 = !(v6581 < 1.0f);
                                   if v4335 {
                                     p3435 = true;
                                     p4351 = false;
@@ -5714,7 +5763,7 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                                 }
                                 let v4338 = p4338;
                                 if v4338 {
-                                  p4350 = v6505;
+                                  p4350 = v6579;
                                   p4351 = true;
                                 }
                                 let v4350 = p4350;
@@ -6529,14 +6578,15 @@ fn bounce(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
       let v4559 = (v136 + v6440);
       let v4560 = (v137 + v6444);
       let v4561 = (v141 + v6448);
-      let v4562 = (v6452 + 0.0f);
+      let v6546 = (v6452 == 0.0f);
+      let v6547 = select(v6452, 0.0f, v6546);
       let v6453 = bitcast<u32>(v4559);
       r11[v4706] = v6453;
       let v6456 = bitcast<u32>(v4560);
       r11[v4722] = v6456;
       let v6460 = bitcast<u32>(v4561);
       r11[v4742] = v6460;
-      let v6464 = bitcast<u32>(v4562);
+      let v6464 = bitcast<u32>(v6547);
       r11[v6450] = v6464;
       r12[v42] = vec4<u32>(0u, v138, v139, v140);
     }

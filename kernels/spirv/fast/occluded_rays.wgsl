@@ -32,14 +32,14 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
   var p177: u32;
   var p217: u32;
   var p219: u32;
-  var p1749: u32;
+  var p1782: u32;
   var p169: u32;
   var p170: bool;
   var p171: u32;
   var p172: bool;
-  var p1751: u32;
-  var p1752: u32;
-  var p1753: bool;
+  var p1784: u32;
+  var p1785: u32;
+  var p1786: bool;
   var p238: bool;
   var p239: bool;
   var p313: f32;
@@ -79,7 +79,7 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
   var p1033: bool;
   var p1034: u32;
   var p1035: f32;
-  var p1758: u32;
+  var p1791: u32;
   var p243: u32;
   var p244: u32;
   var p245: f32;
@@ -87,8 +87,8 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
   var p1209: u32;
   var p1193: u32;
   var p1196: bool;
-  var p1763: f32;
-  var p1764: bool;
+  var p1796: f32;
+  var p1797: bool;
   var p1203: u32;
   var p1201: u32;
   var p1202: bool;
@@ -420,12 +420,12 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
               p1301 = v1303;
               p177 = v217;
               p171 = v217;
-              p1749 = v219;
+              p1782 = v219;
               done2 = v1366;
             }
-            let v1749 = p1749;
-            let v237 = (v1749 == 4294967295u);
-            p169 = v1749;
+            let v1782 = p1782;
+            let v237 = (v1782 == 4294967295u);
+            p169 = v1782;
             p170 = false;
             p172 = v237;
           } else {
@@ -440,15 +440,15 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
           p158 = v171;
           p159 = v169;
           p243 = v158;
-          p1751 = v159;
-          p1752 = v171;
-          p1753 = v173;
+          p1784 = v159;
+          p1785 = v171;
+          p1786 = v173;
           done1 = v172;
         }
-        let v1751 = p1751;
-        let v1752 = p1752;
-        let v1753 = p1753;
-        if v1753 {
+        let v1784 = p1784;
+        let v1785 = p1785;
+        let v1786 = p1786;
+        if v1786 {
           p238 = true;
           p239 = false;
         } else {
@@ -458,7 +458,7 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
         let v238 = p238;
         let v239 = p239;
         if v239 {
-          let v240 = (v1751 & 1610612736u);
+          let v240 = (v1784 & 1610612736u);
           let v241 = (v240 != 0u);
           if v241 {
             let v1379 = (v1298 >> (2u & 31u));
@@ -506,21 +506,42 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
               p322 = v308;
             }
             let v322 = p322;
-            let v323 = (v1250 * 0.0f);
-            let v324 = (v1254 * 0.0f);
-            let v325 = (v323 + v324);
-            let v326 = (v1258 * 0.0f);
-            let v327 = (v325 + v326);
-            let v328 = (v25 * 0.0f);
-            let v329 = (v26 * 0.0f);
-            let v330 = (v328 + v329);
-            let v331 = (v27 * 0.0f);
-            let v332 = (v330 + v331);
+            let v1748 = (v1249 & 2147483647u);
+            let v1749 = (v1748 < 2139095040u);
+            let v1750 = (v1249 & 2147483648u);
+            let v1751 = select(2143289344u, v1750, v1749);
+            let v1752 = bitcast<f32>(v1751);
+            let v1753 = (v1253 & 2147483647u);
+            let v1754 = (v1753 < 2139095040u);
+            let v1755 = (v1253 & 2147483648u);
+            let v1756 = select(2143289344u, v1755, v1754);
+            let v1757 = bitcast<f32>(v1756);
+            let v325 = (v1752 + v1757);
+            let v1758 = (v1257 & 2147483647u);
+            let v1759 = (v1758 < 2139095040u);
+            let v1760 = (v1257 & 2147483648u);
+            let v1761 = select(2143289344u, v1760, v1759);
+            let v1762 = bitcast<f32>(v1761);
+            let v327 = (v325 + v1762);
+            let v1763 = (v1233 & 2147483647u);
+            let v1764 = (v1763 < 2139095040u);
+            let v1766 = select(2143289344u, v60, v1764);
+            let v1767 = bitcast<f32>(v1766);
+            let v1768 = (v1237 & 2147483647u);
+            let v1769 = (v1768 < 2139095040u);
+            let v1771 = select(2143289344u, v68, v1769);
+            let v1772 = bitcast<f32>(v1771);
+            let v330 = (v1767 + v1772);
+            let v1773 = (v1241 & 2147483647u);
+            let v1774 = (v1773 < 2139095040u);
+            let v1776 = select(2143289344u, v76, v1774);
+            let v1777 = bitcast<f32>(v1776);
+            let v332 = (v330 + v1777);
             let v333 = (v332 + v327);
             let v334 = (v333 == 0.0f);
             if v334 {
               let v335 = (v240 != 536870912u);
-              let v336 = (v1751 & 536870911u);
+              let v336 = (v1784 & 536870911u);
               if v335 {
                 let v578 = (v25 * 4097.0f);
                 let v579 = (v578 - v25);
@@ -1156,7 +1177,7 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
           let v319 = p319;
           let v321 = p321;
           if v321 {
-            let v847 = (v1751 & 536870911u);
+            let v847 = (v1784 & 536870911u);
             p871 = false;
             p1578 = 0u;
             p873 = v155;
@@ -1268,9 +1289,11 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
               let v932 = select(v923, v920, v931);
               let v933 = (v932 > v926);
               let v934 = select(v926, v932, v933);
-              let v935 = (0.0f - v934);
-              let v936 = (v930 > v935);
-              let v937 = select(v935, v930, v936);
+              let v1778 = -(v934);
+              let v1779 = (v1778 == 0.0f);
+              let v1780 = select(v1778, 0.0f, v1779);
+              let v936 = (v930 > v1780);
+              let v937 = select(v1780, v930, v936);
               let v938 = (v937 >= 0.0f);
               if v938 {
                 let v939 = (v895 * v920);
@@ -1613,21 +1636,21 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
               p1578 = v1580;
               p873 = v1034;
               p874 = v1035;
-              p1758 = v1034;
+              p1791 = v1034;
               p245 = v1035;
               p246 = v1036;
               done5 = v1737;
             }
-            let v1758 = p1758;
-            p1204 = v1758;
-            p244 = v1758;
+            let v1791 = p1791;
+            p1204 = v1791;
+            p244 = v1791;
           } else {
             p1204 = v318;
             p244 = v155;
             p245 = v319;
           }
         } else {
-          p243 = v1752;
+          p243 = v1785;
           p244 = v155;
           p245 = v154;
           p246 = v238;
@@ -1651,10 +1674,10 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
           }
           let v1209 = p1209;
           p158 = v1209;
-          p1764 = false;
+          p1797 = false;
         } else {
           p158 = v243;
-          p1764 = true;
+          p1797 = true;
           p1196 = true;
         }
         let v1193 = p1193;
@@ -1663,14 +1686,14 @@ fn occluded_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>)
         p155 = v244;
         p159 = v1193;
         p1203 = v244;
-        p1763 = v245;
+        p1796 = v245;
         done0 = v1196;
       }
-      let v1763 = p1763;
-      let v1764 = p1764;
-      let v1211 = (v1764 != true);
+      let v1796 = p1796;
+      let v1797 = p1797;
+      let v1211 = (v1797 != true);
       if v1211 {
-        let v1192 = (v1763 < v1246);
+        let v1192 = (v1796 < v1246);
         if !v1192 {
           p1203 = 4294967295u;
         }

@@ -29,13 +29,13 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p233: u32;
   var p273: u32;
   var p275: u32;
-  var p1642: u32;
+  var p1678: u32;
   var p226: u32;
   var p228: u32;
   var p229: bool;
-  var p1644: u32;
-  var p1645: bool;
-  var p1646: u32;
+  var p1680: u32;
+  var p1681: bool;
+  var p1682: u32;
   var p294: bool;
   var p1288: u32;
   var p508: u32;
@@ -69,7 +69,7 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p950: bool;
   var p951: u32;
   var p952: f32;
-  var p1652: u32;
+  var p1688: u32;
   var p784: u32;
   var p786: f32;
   var p787: bool;
@@ -80,12 +80,12 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1128: bool;
   var p1129: u32;
   var p1131: bool;
-  var p1655: u32;
-  var p1656: bool;
+  var p1691: u32;
+  var p1692: bool;
   var p1109: u32;
   var p1110: bool;
-  var p1657: f32;
-  var p1658: u32;
+  var p1693: f32;
+  var p1694: u32;
   var p208: f32;
   var p209: u32;
   let v1149 = global_invocation_id[0u];
@@ -268,11 +268,20 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
       let v162 = (v161 & v160);
       if v162 {
         r0[192u] = 0u;
-        let v164 = (v50 * 0.0f);
-        let v165 = (v51 * 0.0f);
-        let v166 = (v164 + v165);
-        let v167 = (v52 * 0.0f);
-        let v168 = (v166 + v167);
+        let v1642 = (v60 & 2147483647u);
+        let v1643 = (v1642 < 2139095040u);
+        let v1645 = select(2143289344u, v88, v1643);
+        let v1646 = bitcast<f32>(v1645);
+        let v1648 = (v61 & 2147483647u);
+        let v1649 = (v1648 < 2139095040u);
+        let v1651 = select(2143289344u, v96, v1649);
+        let v1652 = bitcast<f32>(v1651);
+        let v166 = (v1646 + v1652);
+        let v1654 = (v62 & 2147483647u);
+        let v1655 = (v1654 < 2139095040u);
+        let v1657 = select(2143289344u, v104, v1655);
+        let v1658 = bitcast<f32>(v1657);
+        let v168 = (v166 + v1658);
         let v169 = (v50 * 4097.0f);
         let v170 = (v169 - v50);
         let v171 = (v169 - v170);
@@ -304,11 +313,23 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         let v197 = select(v111, v110, v196);
         let v198 = (v110 < v111);
         let v199 = select(v111, v110, v198);
-        let v200 = (v1177 * 0.0f);
-        let v201 = (v1179 * 0.0f);
-        let v202 = (v200 + v201);
-        let v203 = (v1181 * 0.0f);
-        let v204 = (v202 + v203);
+        let v1659 = (v1176 & 2147483647u);
+        let v1660 = (v1659 < 2139095040u);
+        let v1661 = (v1176 & 2147483648u);
+        let v1662 = select(2143289344u, v1661, v1660);
+        let v1663 = bitcast<f32>(v1662);
+        let v1664 = (v1178 & 2147483647u);
+        let v1665 = (v1664 < 2139095040u);
+        let v1666 = (v1178 & 2147483648u);
+        let v1667 = select(2143289344u, v1666, v1665);
+        let v1668 = bitcast<f32>(v1667);
+        let v202 = (v1663 + v1668);
+        let v1669 = (v1180 & 2147483647u);
+        let v1670 = (v1669 < 2139095040u);
+        let v1671 = (v1180 & 2147483648u);
+        let v1672 = select(2143289344u, v1671, v1670);
+        let v1673 = bitcast<f32>(v1672);
+        let v204 = (v202 + v1673);
         let v205 = (v168 + v204);
         let v206 = (v205 == 0.0f);
         p210 = bitcast<f32>(bits_7f800000);
@@ -449,16 +470,16 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p1222 = v1224;
                 p233 = v273;
                 p228 = v273;
-                p1642 = v275;
+                p1678 = v275;
                 done2 = v1287;
               }
-              let v1642 = p1642;
-              let v293 = (v1642 == 4294967295u);
-              p226 = v1642;
-              p1645 = false;
+              let v1678 = p1678;
+              let v293 = (v1678 == 4294967295u);
+              p226 = v1678;
+              p1681 = false;
               p229 = v293;
             } else {
-              p1645 = true;
+              p1681 = true;
               p229 = true;
             }
             let v226 = p226;
@@ -467,14 +488,14 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             p215 = v228;
             p216 = v226;
             p1107 = v215;
-            p1644 = v216;
-            p1646 = v228;
+            p1680 = v216;
+            p1682 = v228;
             done1 = v229;
           }
-          let v1644 = p1644;
-          let v1645 = p1645;
-          let v1646 = p1646;
-          let v1127 = (v1645 != true);
+          let v1680 = p1680;
+          let v1681 = p1681;
+          let v1682 = p1682;
+          let v1127 = (v1681 != true);
           if v1127 {
             p294 = false;
           } else {
@@ -482,12 +503,12 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           }
           let v294 = p294;
           if v294 {
-            let v295 = (v1644 & 1610612736u);
+            let v295 = (v1680 & 1610612736u);
             let v296 = (v295 != 0u);
             if v296 {
               if v206 {
                 let v304 = (v295 != 536870912u);
-                let v305 = (v1644 & 536870911u);
+                let v305 = (v1680 & 536870911u);
                 if v304 {
                   p1288 = 0u;
                   p508 = v211;
@@ -1091,7 +1112,7 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             let v756 = p756;
             let v758 = p758;
             if v758 {
-              let v764 = (v1644 & 536870911u);
+              let v764 = (v1680 & 536870911u);
               p788 = false;
               p1464 = 0u;
               p790 = v211;
@@ -1203,9 +1224,11 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 let v849 = select(v840, v837, v848);
                 let v850 = (v849 > v843);
                 let v851 = select(v843, v849, v850);
-                let v852 = (0.0f - v851);
-                let v853 = (v847 > v852);
-                let v854 = select(v852, v847, v853);
+                let v1674 = -(v851);
+                let v1675 = (v1674 == 0.0f);
+                let v1676 = select(v1674, 0.0f, v1675);
+                let v853 = (v847 > v1676);
+                let v854 = select(v1676, v847, v853);
                 let v855 = (v854 >= 0.0f);
                 if v855 {
                   let v856 = (v812 * v837);
@@ -1548,13 +1571,13 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p790 = v951;
                 p791 = v952;
                 p787 = v950;
-                p1652 = v951;
+                p1688 = v951;
                 p786 = v952;
                 done5 = v1623;
               }
-              let v1652 = p1652;
-              p784 = v1652;
-              p300 = v1652;
+              let v1688 = p1688;
+              p784 = v1688;
+              p300 = v1688;
             } else {
               p784 = v211;
               p300 = v755;
@@ -1573,7 +1596,7 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           } else {
             p299 = v210;
             p300 = v211;
-            p1107 = v1646;
+            p1107 = v1682;
             p302 = v213;
           }
           let v299 = p299;
@@ -1594,11 +1617,11 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v1640 = (v1624 + 4294967294u);
               p1128 = false;
               p1129 = v1114;
-              p1655 = v1640;
+              p1691 = v1640;
               p1131 = v1119;
             } else {
               p1128 = true;
-              p1655 = 0u;
+              p1691 = 0u;
               p1131 = true;
             }
             let v1128 = p1128;
@@ -1607,13 +1630,13 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             let v1132 = (v1128 != true);
             p1107 = v1129;
             p215 = v1129;
-            p1656 = v1132;
+            p1692 = v1132;
             done6 = v1131;
           }
-          let v1655 = p1655;
-          let v1656 = p1656;
-          if v1656 {
-            let v1628 = r0[v1655];
+          let v1691 = p1691;
+          let v1692 = p1692;
+          if v1692 {
+            let v1628 = r0[v1691];
             p1109 = v1628;
             p1110 = false;
           } else {
@@ -1625,15 +1648,15 @@ fn primary(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           p211 = v300;
           p213 = v302;
           p216 = v1109;
-          p1657 = v299;
-          p1658 = v300;
+          p1693 = v299;
+          p1694 = v300;
           done0 = v1110;
         }
-        let v1657 = p1657;
-        let v1658 = p1658;
-        let v1111 = ((v1657 < bitcast<f32>(bits_7f800000)) || (v1657 > bitcast<f32>(bits_7f800000)));
-        let v1112 = select(4294967295u, v1658, v1111);
-        let v1113 = select(bitcast<f32>(bits_7f800000), v1657, v1111);
+        let v1693 = p1693;
+        let v1694 = p1694;
+        let v1111 = ((v1693 < bitcast<f32>(bits_7f800000)) || (v1693 > bitcast<f32>(bits_7f800000)));
+        let v1112 = select(4294967295u, v1694, v1111);
+        let v1113 = select(bitcast<f32>(bits_7f800000), v1693, v1111);
         p208 = v1113;
         p209 = v1112;
       } else {

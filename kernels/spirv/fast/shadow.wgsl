@@ -41,14 +41,14 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1157: u32;
   var p1213: u32;
   var p1215: u32;
-  var p1798: u32;
+  var p1837: u32;
   var p1149: u32;
   var p1150: bool;
   var p1151: u32;
   var p1152: bool;
-  var p1800: u32;
-  var p1801: u32;
-  var p1802: bool;
+  var p1839: u32;
+  var p1840: u32;
+  var p1841: bool;
   var p302: bool;
   var p303: bool;
   var p1450: u32;
@@ -83,7 +83,7 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p958: bool;
   var p959: u32;
   var p960: f32;
-  var p1807: u32;
+  var p1846: u32;
   var p307: u32;
   var p308: u32;
   var p309: f32;
@@ -91,9 +91,9 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1239: u32;
   var p1126: u32;
   var p1129: bool;
-  var p1810: u32;
-  var p1812: f32;
-  var p1813: bool;
+  var p1849: u32;
+  var p1851: f32;
+  var p1852: bool;
   var p1137: u32;
   var p1135: u32;
   var p1136: bool;
@@ -103,8 +103,8 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1144: u32;
   var p1145: u32;
   var p1146: bool;
-  var p1814: u32;
-  var p1815: u32;
+  var p1853: u32;
+  var p1854: u32;
   var p70: bool;
   var p91: bool;
   var p1223: u32;
@@ -376,16 +376,40 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                     let v255 = (v254 & v253);
                     if v255 {
                       r0[192u] = 0u;
-                      let v256 = (v144 * 0.0f);
-                      let v257 = (v145 * 0.0f);
-                      let v258 = (v256 + v257);
-                      let v259 = (v146 * 0.0f);
-                      let v260 = (v259 + v258);
-                      let v261 = (v150 * 0.0f);
-                      let v262 = (v149 * 0.0f);
-                      let v263 = (v261 + v262);
-                      let v264 = (v148 * 0.0f);
-                      let v265 = (v264 + v263);
+                      let v1797 = bitcast<u32>(v144);
+                      let v1798 = (v1797 & 2147483647u);
+                      let v1799 = (v1798 < 2139095040u);
+                      let v1800 = (v1797 & 2147483648u);
+                      let v1801 = select(2143289344u, v1800, v1799);
+                      let v1802 = bitcast<f32>(v1801);
+                      let v1803 = bitcast<u32>(v145);
+                      let v1804 = (v1803 & 2147483647u);
+                      let v1805 = (v1804 < 2139095040u);
+                      let v1806 = (v1803 & 2147483648u);
+                      let v1807 = select(2143289344u, v1806, v1805);
+                      let v1808 = bitcast<f32>(v1807);
+                      let v258 = (v1802 + v1808);
+                      let v1809 = bitcast<u32>(v146);
+                      let v1810 = (v1809 & 2147483647u);
+                      let v1811 = (v1810 < 2139095040u);
+                      let v1812 = (v1809 & 2147483648u);
+                      let v1813 = select(2143289344u, v1812, v1811);
+                      let v1814 = bitcast<f32>(v1813);
+                      let v260 = (v1814 + v258);
+                      let v1816 = (v152 & 2147483647u);
+                      let v1817 = (v1816 < 2139095040u);
+                      let v1819 = select(2143289344u, v180, v1817);
+                      let v1820 = bitcast<f32>(v1819);
+                      let v1822 = (v153 & 2147483647u);
+                      let v1823 = (v1822 < 2139095040u);
+                      let v1825 = select(2143289344u, v188, v1823);
+                      let v1826 = bitcast<f32>(v1825);
+                      let v263 = (v1820 + v1826);
+                      let v1828 = (v154 & 2147483647u);
+                      let v1829 = (v1828 < 2139095040u);
+                      let v1831 = select(2143289344u, v196, v1829);
+                      let v1832 = bitcast<f32>(v1831);
+                      let v265 = (v1832 + v263);
                       let v266 = (v260 + v265);
                       let v267 = (v266 == 0.0f);
                       let v268 = (v150 * 4097.0f);
@@ -555,12 +579,12 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               p1384 = v1386;
                               p1157 = v1213;
                               p1151 = v1213;
-                              p1798 = v1215;
+                              p1837 = v1215;
                               done4 = v1449;
                             }
-                            let v1798 = p1798;
-                            let v1124 = (v1798 == 4294967295u);
-                            p1149 = v1798;
+                            let v1837 = p1837;
+                            let v1124 = (v1837 == 4294967295u);
+                            p1149 = v1837;
                             p1150 = false;
                             p1152 = v1124;
                           } else {
@@ -575,15 +599,15 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           p299 = v1151;
                           p300 = v1149;
                           p307 = v299;
-                          p1800 = v300;
-                          p1801 = v1151;
-                          p1802 = v1153;
+                          p1839 = v300;
+                          p1840 = v1151;
+                          p1841 = v1153;
                           done3 = v1152;
                         }
-                        let v1800 = p1800;
-                        let v1801 = p1801;
-                        let v1802 = p1802;
-                        if v1802 {
+                        let v1839 = p1839;
+                        let v1840 = p1840;
+                        let v1841 = p1841;
+                        if v1841 {
                           p302 = true;
                           p303 = false;
                         } else {
@@ -593,12 +617,12 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         let v302 = p302;
                         let v303 = p303;
                         if v303 {
-                          let v304 = (v1800 & 1610612736u);
+                          let v304 = (v1839 & 1610612736u);
                           let v305 = (v304 != 0u);
                           if v305 {
                             if v267 {
                               let v311 = (v304 != 536870912u);
-                              let v312 = (v1800 & 536870911u);
+                              let v312 = (v1839 & 536870911u);
                               if v311 {
                                 p1450 = 0u;
                                 p334 = v1219;
@@ -1203,7 +1227,7 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           let v586 = p586;
                           let v588 = p588;
                           if v588 {
-                            let v772 = (v1800 & 536870911u);
+                            let v772 = (v1839 & 536870911u);
                             p796 = false;
                             p1626 = 0u;
                             p798 = v1219;
@@ -1315,9 +1339,11 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               let v857 = select(v848, v845, v856);
                               let v858 = (v857 > v851);
                               let v859 = select(v851, v857, v858);
-                              let v860 = (0.0f - v859);
-                              let v861 = (v855 > v860);
-                              let v862 = select(v860, v855, v861);
+                              let v1833 = -(v859);
+                              let v1834 = (v1833 == 0.0f);
+                              let v1835 = select(v1833, 0.0f, v1834);
+                              let v861 = (v855 > v1835);
+                              let v862 = select(v1835, v855, v861);
                               let v863 = (v862 >= 0.0f);
                               if v863 {
                                 let v864 = (v820 * v845);
@@ -1660,21 +1686,21 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                               p1626 = v1628;
                               p798 = v959;
                               p799 = v960;
-                              p1807 = v959;
+                              p1846 = v959;
                               p309 = v960;
                               p310 = v961;
                               done7 = v1785;
                             }
-                            let v1807 = p1807;
-                            p1810 = v1807;
-                            p308 = v1807;
+                            let v1846 = p1846;
+                            p1849 = v1846;
+                            p308 = v1846;
                           } else {
-                            p1810 = v585;
+                            p1849 = v585;
                             p308 = v1219;
                             p309 = v586;
                           }
                         } else {
-                          p307 = v1801;
+                          p307 = v1840;
                           p308 = v1219;
                           p309 = v1218;
                           p310 = v302;
@@ -1698,10 +1724,10 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                           }
                           let v1239 = p1239;
                           p299 = v1239;
-                          p1813 = false;
+                          p1852 = false;
                         } else {
                           p299 = v307;
-                          p1813 = true;
+                          p1852 = true;
                           p1129 = true;
                         }
                         let v1126 = p1126;
@@ -1710,15 +1736,15 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                         p1219 = v308;
                         p300 = v1126;
                         p1137 = v308;
-                        p1812 = v309;
+                        p1851 = v309;
                         done2 = v1129;
                       }
-                      let v1810 = p1810;
-                      let v1812 = p1812;
-                      let v1813 = p1813;
-                      let v1241 = (v1813 != true);
+                      let v1849 = p1849;
+                      let v1851 = p1851;
+                      let v1852 = p1852;
+                      let v1241 = (v1852 != true);
                       if v1241 {
-                        let v1134 = (v1812 < 1.0f);
+                        let v1134 = (v1851 < 1.0f);
                         if !v1134 {
                           p1137 = 4294967295u;
                         }
@@ -1731,7 +1757,7 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                       let v1135 = p1135;
                       let v1136 = p1136;
                       if v1136 {
-                        p1138 = v1810;
+                        p1138 = v1849;
                       } else {
                         p1138 = v1135;
                       }
@@ -1767,22 +1793,22 @@ fn shadow(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 p98 = v1144;
                 p99 = v1143;
                 p100 = v1145;
-                p1814 = v1144;
-                p1815 = v1145;
+                p1853 = v1144;
+                p1854 = v1145;
                 done1 = v1146;
               }
-              let v1814 = p1814;
-              let v1815 = p1815;
+              let v1853 = p1853;
+              let v1854 = p1854;
               let v103 = (v95 + v33);
-              r6[v103] = v1814;
+              r6[v103] = v1853;
               let v106 = (v95 + 1u);
               let v108 = (v1269 > 32u);
               let v111 = (v31 > v106);
               let v112 = select(false, v111, v108);
               let v113 = (v112 != true);
               p95 = v106;
-              p100 = v1815;
-              p1222 = v1815;
+              p100 = v1854;
+              p1222 = v1854;
               done0 = v113;
             }
             p91 = false;

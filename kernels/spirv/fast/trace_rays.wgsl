@@ -33,13 +33,13 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p180: u32;
   var p220: u32;
   var p222: u32;
-  var p1761: u32;
+  var p1794: u32;
   var p173: u32;
   var p175: u32;
   var p176: bool;
-  var p1763: u32;
-  var p1764: bool;
-  var p1765: u32;
+  var p1796: u32;
+  var p1797: bool;
+  var p1798: u32;
   var p241: bool;
   var p317: f32;
   var p319: bool;
@@ -78,7 +78,7 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1036: bool;
   var p1037: u32;
   var p1038: f32;
-  var p1771: u32;
+  var p1804: u32;
   var p870: u32;
   var p872: f32;
   var p873: bool;
@@ -89,12 +89,12 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var p1209: bool;
   var p1210: u32;
   var p1212: bool;
-  var p1774: u32;
-  var p1775: bool;
+  var p1807: u32;
+  var p1808: bool;
   var p1195: u32;
   var p1196: bool;
-  var p1776: f32;
-  var p1777: u32;
+  var p1809: f32;
+  var p1810: u32;
   var p155: f32;
   var p156: u32;
   let v1225 = global_invocation_id[0u];
@@ -426,16 +426,16 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               p1304 = v1306;
               p180 = v220;
               p175 = v220;
-              p1761 = v222;
+              p1794 = v222;
               done2 = v1369;
             }
-            let v1761 = p1761;
-            let v240 = (v1761 == 4294967295u);
-            p173 = v1761;
-            p1764 = false;
+            let v1794 = p1794;
+            let v240 = (v1794 == 4294967295u);
+            p173 = v1794;
+            p1797 = false;
             p176 = v240;
           } else {
-            p1764 = true;
+            p1797 = true;
             p176 = true;
           }
           let v173 = p173;
@@ -444,14 +444,14 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           p162 = v175;
           p163 = v173;
           p1193 = v162;
-          p1763 = v163;
-          p1765 = v175;
+          p1796 = v163;
+          p1798 = v175;
           done1 = v176;
         }
-        let v1763 = p1763;
-        let v1764 = p1764;
-        let v1765 = p1765;
-        let v1208 = (v1764 != true);
+        let v1796 = p1796;
+        let v1797 = p1797;
+        let v1798 = p1798;
+        let v1208 = (v1797 != true);
         if v1208 {
           p241 = false;
         } else {
@@ -459,7 +459,7 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         }
         let v241 = p241;
         if v241 {
-          let v242 = (v1763 & 1610612736u);
+          let v242 = (v1796 & 1610612736u);
           let v243 = (v242 != 0u);
           if v243 {
             let v1382 = (v1301 >> (2u & 31u));
@@ -507,21 +507,42 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               p326 = v312;
             }
             let v326 = p326;
-            let v327 = (v1253 * 0.0f);
-            let v328 = (v1257 * 0.0f);
-            let v329 = (v327 + v328);
-            let v330 = (v1261 * 0.0f);
-            let v331 = (v329 + v330);
-            let v332 = (v26 * 0.0f);
-            let v333 = (v27 * 0.0f);
-            let v334 = (v332 + v333);
-            let v335 = (v28 * 0.0f);
-            let v336 = (v334 + v335);
+            let v1760 = (v1252 & 2147483647u);
+            let v1761 = (v1760 < 2139095040u);
+            let v1762 = (v1252 & 2147483648u);
+            let v1763 = select(2143289344u, v1762, v1761);
+            let v1764 = bitcast<f32>(v1763);
+            let v1765 = (v1256 & 2147483647u);
+            let v1766 = (v1765 < 2139095040u);
+            let v1767 = (v1256 & 2147483648u);
+            let v1768 = select(2143289344u, v1767, v1766);
+            let v1769 = bitcast<f32>(v1768);
+            let v329 = (v1764 + v1769);
+            let v1770 = (v1260 & 2147483647u);
+            let v1771 = (v1770 < 2139095040u);
+            let v1772 = (v1260 & 2147483648u);
+            let v1773 = select(2143289344u, v1772, v1771);
+            let v1774 = bitcast<f32>(v1773);
+            let v331 = (v329 + v1774);
+            let v1775 = (v1236 & 2147483647u);
+            let v1776 = (v1775 < 2139095040u);
+            let v1778 = select(2143289344u, v61, v1776);
+            let v1779 = bitcast<f32>(v1778);
+            let v1780 = (v1240 & 2147483647u);
+            let v1781 = (v1780 < 2139095040u);
+            let v1783 = select(2143289344u, v69, v1781);
+            let v1784 = bitcast<f32>(v1783);
+            let v334 = (v1779 + v1784);
+            let v1785 = (v1244 & 2147483647u);
+            let v1786 = (v1785 < 2139095040u);
+            let v1788 = select(2143289344u, v77, v1786);
+            let v1789 = bitcast<f32>(v1788);
+            let v336 = (v334 + v1789);
             let v337 = (v336 + v331);
             let v338 = (v337 == 0.0f);
             if v338 {
               let v339 = (v242 != 536870912u);
-              let v340 = (v1763 & 536870911u);
+              let v340 = (v1796 & 536870911u);
               if v339 {
                 let v582 = (v26 * 4097.0f);
                 let v583 = (v582 - v26);
@@ -1156,7 +1177,7 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           let v323 = p323;
           let v325 = p325;
           if v325 {
-            let v850 = (v1763 & 536870911u);
+            let v850 = (v1796 & 536870911u);
             p874 = false;
             p1581 = 0u;
             p876 = v158;
@@ -1268,9 +1289,11 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               let v935 = select(v926, v923, v934);
               let v936 = (v935 > v929);
               let v937 = select(v929, v935, v936);
-              let v938 = (0.0f - v937);
-              let v939 = (v933 > v938);
-              let v940 = select(v938, v933, v939);
+              let v1790 = -(v937);
+              let v1791 = (v1790 == 0.0f);
+              let v1792 = select(v1790, 0.0f, v1791);
+              let v939 = (v933 > v1792);
+              let v940 = select(v1792, v933, v939);
               let v941 = (v940 >= 0.0f);
               if v941 {
                 let v942 = (v898 * v923);
@@ -1613,13 +1636,13 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
               p876 = v1037;
               p877 = v1038;
               p873 = v1036;
-              p1771 = v1037;
+              p1804 = v1037;
               p872 = v1038;
               done5 = v1740;
             }
-            let v1771 = p1771;
-            p870 = v1771;
-            p247 = v1771;
+            let v1804 = p1804;
+            p870 = v1804;
+            p247 = v1804;
           } else {
             p870 = v158;
             p247 = v322;
@@ -1638,7 +1661,7 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         } else {
           p246 = v157;
           p247 = v158;
-          p1193 = v1765;
+          p1193 = v1798;
           p249 = v160;
         }
         let v246 = p246;
@@ -1659,11 +1682,11 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             let v1759 = (v1741 + 4294967294u);
             p1209 = false;
             p1210 = v1200;
-            p1774 = v1759;
+            p1807 = v1759;
             p1212 = v1205;
           } else {
             p1209 = true;
-            p1774 = 0u;
+            p1807 = 0u;
             p1212 = true;
           }
           let v1209 = p1209;
@@ -1672,13 +1695,13 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           let v1213 = (v1209 != true);
           p1193 = v1210;
           p162 = v1210;
-          p1775 = v1213;
+          p1808 = v1213;
           done6 = v1212;
         }
-        let v1774 = p1774;
-        let v1775 = p1775;
-        if v1775 {
-          let v1745 = r0[v1774];
+        let v1807 = p1807;
+        let v1808 = p1808;
+        if v1808 {
+          let v1745 = r0[v1807];
           p1195 = v1745;
           p1196 = false;
         } else {
@@ -1690,15 +1713,15 @@ fn trace_rays(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
         p158 = v247;
         p160 = v249;
         p163 = v1195;
-        p1776 = v246;
-        p1777 = v247;
+        p1809 = v246;
+        p1810 = v247;
         done0 = v1196;
       }
-      let v1776 = p1776;
-      let v1777 = p1777;
-      let v1197 = (v1776 < v1249);
-      let v1198 = select(4294967295u, v1777, v1197);
-      let v1199 = select(bitcast<f32>(bits_7f800000), v1776, v1197);
+      let v1809 = p1809;
+      let v1810 = p1810;
+      let v1197 = (v1809 < v1249);
+      let v1198 = select(4294967295u, v1810, v1197);
+      let v1199 = select(bitcast<f32>(bits_7f800000), v1809, v1197);
       p155 = v1199;
       p156 = v1198;
     } else {
