@@ -71,7 +71,8 @@ exit:
 
 #[test]
 fn arithmetic_with_constant_zeros_is_spelled_out() {
-    let cases: [(&str, fn(f32) -> f32); 6] = [
+    type Case = (&'static str, fn(f32) -> f32);
+    let cases: [Case; 6] = [
         ("fadd float %f, 0.000000e+00", |x| x + 0.0),
         ("fadd float -0.000000e+00, %f", |x| -0.0 + x),
         ("fsub float %f, 0.000000e+00", |x| x - 0.0),
