@@ -1,5 +1,5 @@
 //! One kernel per feature of the kernel compiler. Most are functions from an invocation's number and a table of words to one word,
-//! declared by [`word_kernels`]; those with bindings of their own are declared in full.
+//! declared by `word_kernels!`; those with bindings of their own are declared in full.
 //!
 //! Results are the same bits everywhere: sums wrap, a NaN is written as one pattern, and no value is denormal (SwiftShader flushes
 //! those to zero).
