@@ -23,7 +23,11 @@ install_package() {
 }
 
 lavapipe_icd() {
-    ls /usr/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/lvp_icd*.json 2>/dev/null | head -n 1
+    local icd
+    for icd in /usr/share/vulkan/icd.d/lvp_icd*.json /etc/vulkan/icd.d/lvp_icd*.json; do
+        [ -f "$icd" ] && echo "$icd" && return
+    done
+    true
 }
 
 # The second driver: the library inside Debian's chromium-common, unpacked and not installed.
@@ -45,12 +49,13 @@ fetch_swiftshader() {
     [ -f "$cache/swiftshader/vk_swiftshader_icd.json" ]
 }
 
-command -v cc >/dev/null || install_package gcc "a linker"
-command -v spirv-val >/dev/null || install_package spirv-tools "spirv-val"
-command -v objdump >/dev/null || install_package binutils "objdump"
-command -v valgrind >/dev/null || install_package valgrind "callgrind"
-ldconfig -p 2>/dev/null | grep -q libvulkan.so.1 || install_package libvulkan1 "the Vulkan loader"
-[ -n "$(lavapipe_icd)" ] || install_package mesa-vulkan-drivers "lavapipe"
+# What cannot be installed has been told; the tests say what they skip for it.
+command -v cc >/dev/null || install_package gcc "a linker" || true
+command -v spirv-val >/dev/null || install_package spirv-tools "spirv-val" || true
+command -v objdump >/dev/null || install_package binutils "objdump" || true
+command -v valgrind >/dev/null || install_package valgrind "callgrind" || true
+ldconfig -p 2>/dev/null | grep libvulkan.so.1 >/dev/null || install_package libvulkan1 "the Vulkan loader" || true
+[ -n "$(lavapipe_icd)" ] || install_package mesa-vulkan-drivers "lavapipe" || true
 
 if [ -z "${PARALLAX_SWIFTSHADER:-}" ] && fetch_swiftshader; then
     export PARALLAX_SWIFTSHADER="$cache/swiftshader/vk_swiftshader_icd.json"
@@ -59,7 +64,9 @@ fi
 # Both software drivers, and only they, so that every machine tests the same; set the variable yourself to test a driver of your own.
 if [ -z "${VK_DRIVER_FILES:-}${VK_ICD_FILENAMES:-}" ]; then
     drivers=$(lavapipe_icd)
-    [ -n "${PARALLAX_SWIFTSHADER:-}" ] && drivers="${drivers:+$drivers:}$PARALLAX_SWIFTSHADER"
+    if [ -n "${PARALLAX_SWIFTSHADER:-}" ]; then
+        drivers="${drivers:+$drivers:}$PARALLAX_SWIFTSHADER"
+    fi
     if [ -n "$drivers" ]; then
         export VK_DRIVER_FILES="$drivers" VK_ICD_FILENAMES="$drivers"
     fi
