@@ -39,7 +39,7 @@ impl ToUnit {
 }
 
 /// The box around an ellipsoid; see [`sphere::bounds`](super::sphere::bounds).
-#[inline]
+#[inline(always)]
 pub fn bounds(ellipsoid: &Ellipsoid) -> ([f32; 3], [f32; 3]) {
     let half = [ellipsoid.world_to_unit[0][3], ellipsoid.world_to_unit[1][3], ellipsoid.world_to_unit[2][3]];
     let side = |sign: f32| core::array::from_fn(|i| ellipsoid.centre[i] + sign * half[i]);
@@ -82,7 +82,7 @@ pub struct Point {
 }
 
 /// The point at which `ray` hits the ellipsoid at parameter `t`.
-#[inline]
+#[inline(always)]
 pub fn point(ellipsoid: &Ellipsoid, ray: &Ray, t: f32) -> Point {
     let (centre, to_unit) = (Vec3::from_array(ellipsoid.centre), ToUnit::new(ellipsoid));
     let (from, chord) = chord_of(ellipsoid.centre, &to_unit, ray);

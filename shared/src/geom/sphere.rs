@@ -13,7 +13,7 @@ use glam::{Vec2, Vec3};
 
 /// The box around a sphere, each plane rounded to nearest. An acceleration structure must use this very box
 /// (or a larger one): what rounding takes from it, the padding of boxes gives back.
-#[inline]
+#[inline(always)]
 pub fn bounds(centre: [f32; 3], radius: f32) -> ([f32; 3], [f32; 3]) {
     (centre.map(|c| c - radius), centre.map(|c| c + radius))
 }
@@ -95,7 +95,7 @@ impl Chord {
 /// The point at which `ray` hits the sphere at parameter `t`, and the unit normal, outwards. The point lies
 /// on the sphere within a few ULP of |centre| + radius, whatever the distance (of which `t` itself has only
 /// 24 bits).
-#[inline]
+#[inline(always)]
 pub fn point_and_normal(centre: [f32; 3], radius: f32, ray: &Ray, t: f32) -> (Vec3, Vec3) {
     let (from, chord) = chord_of(centre, radius, ray);
     let normal = vector::normalize(from + Vec3::from_array(ray.dir) * chord.end_at(t));
@@ -104,7 +104,7 @@ pub fn point_and_normal(centre: [f32; 3], radius: f32, ray: &Ray, t: f32) -> (Ve
 
 /// Texture coordinates of the unit vector `direction`: u runs once around the y axis, from −z over −x (0.25),
 /// +z (0.5) and +x (0.75), to the right as seen from outside; v goes from 0 at −y to 1 at +y.
-#[inline]
+#[inline(always)]
 pub fn uv(direction: Vec3) -> Vec2 {
     let around = math::atan2(direction.x, direction.z) * (0.5 / PI) + 0.5;
     let across = math::sqrt(direction.x * direction.x + direction.z * direction.z);

@@ -20,7 +20,7 @@ const ATAN: [f32; 9] = [
 ///
 /// 0 at the origin (with the sign of `y`, whatever that of `x`). Angles below 2⁻¹⁰⁰ become zero, so that none
 /// is denormal. NaN when either is NaN or both are infinite.
-#[inline]
+#[inline(always)]
 pub fn atan2(y: f32, x: f32) -> f32 {
     if is_nan(x + y) {
         return f32::NAN;

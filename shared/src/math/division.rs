@@ -12,7 +12,7 @@ const SIGN: u32 = 0x8000_0000;
 const MARGIN: u32 = 32;
 
 /// `a / b`, correctly rounded, from this machine's own division. What [`div`](super::div) is on a strict device.
-#[inline]
+#[inline(always)]
 pub fn div_corrected(a: f32, b: f32) -> f32 {
     div_from(a, b, |n, d| n / d)
 }

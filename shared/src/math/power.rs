@@ -14,7 +14,7 @@ const LOG2: [f32; 4] = [2.885_39, 0.961_798_85, 0.576_714_05, 0.431_744_7];
 const VANISHES: f32 = 1.084_202_2e-19; // 2⁻⁶³
 
 /// 2^`x` within 1.5 ULP. +∞ from 128 on, 0 below −126 (never a denormal), NaN for NaN; exact for whole `x`.
-#[inline]
+#[inline(always)]
 pub fn exp2(x: f32) -> f32 {
     if is_nan(x) {
         return x;
@@ -34,7 +34,7 @@ pub fn exp2(x: f32) -> f32 {
 
 /// log₂ `x` within 3 ULP, denormals included; exact for powers of two. −∞ at ±0, +∞ at +∞, NaN below zero and
 /// for NaN.
-#[inline]
+#[inline(always)]
 pub fn log2(x: f32) -> f32 {
     let bits = x.to_bits();
     if bits & 0x7fff_ffff == 0 {
@@ -56,7 +56,7 @@ pub fn log2(x: f32) -> f32 {
 /// `x`^`n` by squaring, with a relative error of at most `n`·2⁻²³. 1 for `n` = 0, whatever `x` is.
 ///
 /// Powers and intermediate squares below 2⁻⁶³ in magnitude become zero, so that none is ever denormal.
-#[inline]
+#[inline(always)]
 pub fn powi(x: f32, n: u32) -> f32 {
     let (mut power, mut square, mut left) = (1.0, x, n);
     while left != 0 {
@@ -74,7 +74,7 @@ pub fn powi(x: f32, n: u32) -> f32 {
 ///
 /// Whole `y` from 0 to 65536 go to [`powi`]; the others are `exp2(y · log2(x))`: 0^`y` is 0 for `y` > 0 and
 /// +∞ for `y` < 0, NaN for negative `x`, 0 where the power is below 2⁻¹²⁶, NaN where either is NaN.
-#[inline]
+#[inline(always)]
 pub fn pow(x: f32, y: f32) -> f32 {
     if (0.0..=65536.0).contains(&y) && floor(y) == y {
         return powi(x, y as u32);

@@ -6,7 +6,7 @@ use super::unpack;
 const MARGIN: u32 = 24;
 
 /// √`a`, correctly rounded, from this machine's own square root. What [`sqrt`](super::sqrt) is on a strict device.
-#[inline]
+#[inline(always)]
 pub fn sqrt_corrected(a: f32) -> f32 {
     sqrt_from(a, kernel_api::device::native_sqrt)
 }

@@ -39,7 +39,7 @@ struct Pending {
 /// t·(1 − F) of what it sees through the surface, F being Fresnel's reflectance: both together r + t, so that
 /// no light is made. Where everything is reflected F is 1. A ray on the last level sees only the surface's
 /// own light. What is behind a ray of too little weight (1/1024) counts as black.
-#[inline]
+#[inline(always)]
 pub fn light_from(scene: &SceneView<'_>, seen: &Surface, dir: Vec3) -> (Vec3, RayCounts) {
     let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
     if !scene.effects.has(Effects::REFLECTION) || seen.prim_id == NONE {

@@ -16,7 +16,7 @@ pub fn refracted_cosine(cos_i: f32, eta: f32) -> Option<f32> {
 /// for `eta` = 1.
 ///
 /// Grazing incidence tends to 1; where the formula is 0/0 (`cos_i` = 0 with `eta` = 1) it is 1.
-#[inline]
+#[inline(always)]
 pub fn reflectance(cos_i: f32, eta: f32) -> f32 {
     let Some(cos_t) = refracted_cosine(cos_i, eta) else {
         return 1.0;

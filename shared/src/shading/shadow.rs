@@ -18,7 +18,7 @@ pub fn words(lights: u32) -> u32 {
 /// Traces a ray from `surface` to each light that it faces. `put` gets every word once, in order, with bit i
 /// % 32 of word i / 32 set when light i is seen. Misses, and materials on which light does not show, see
 /// none. Returns the number of rays.
-#[inline]
+#[inline(always)]
 pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, u32)) -> RayCounts {
     let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
     let lit = scene.effects.has(Effects::LIGHTS)
@@ -42,7 +42,7 @@ pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, 
 
 /// The colour that a primary ray in direction `dir` (any length) sees at `surface`, without reflection and
 /// refraction; the sky's colour at a miss. `seen` gives the words that [`trace`] has put.
-#[inline]
+#[inline(always)]
 pub fn shade(scene: &SceneView<'_>, surface: &Surface, dir: Vec3, seen: impl Fn(u32) -> u32) -> Vec3 {
     if surface.prim_id == NONE {
         return sky::colour(scene, dir);

@@ -13,7 +13,7 @@ use glam::Vec3;
 /// An equirectangular map (seen from inside: its middle is at −z, its right half at +x, its top row straight
 /// up), or the gradient from the horizon to the zenith, linear in the height |y| of the unit vector and
 /// mirrored below.
-#[inline]
+#[inline(always)]
 pub fn colour(scene: &SceneView<'_>, dir: Vec3) -> Vec3 {
     let dir = vector::normalize(dir);
     if scene.effects.has(Effects::SKY_MAP) && scene.info.sky_texture != NONE {

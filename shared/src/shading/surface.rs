@@ -53,7 +53,7 @@ struct Point {
 ///
 /// A function of the ray, the hit and the primitive. Normals face the ray's origin. Degenerate triangles have
 /// a zero normal.
-#[inline]
+#[inline(always)]
 pub fn reconstruct(scene: &SceneView<'_>, ray: &Ray, hit: Hit, interaxial_px: f32) -> Surface {
     let mut surface = nothing(interaxial_px);
     if hit.prim_id == NONE {

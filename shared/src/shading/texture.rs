@@ -21,7 +21,7 @@ pub enum Edge {
 }
 
 /// The colour of `material` at `surface`: its flat colour or checkerboard, times its texture.
-#[inline]
+#[inline(always)]
 pub fn colour(scene: &SceneView<'_>, material: &Material, surface: &Surface) -> Vec3 {
     let mut colour = Vec3::from_array(material.colour);
     if scene.effects.has(Effects::CHECKERBOARD) && material.checker_scale > 0.0 {
@@ -44,7 +44,7 @@ fn is_odd_square(position: Vec3) -> bool {
 
 /// The picture at `uv` (v upwards), interpolated bilinearly between the centres of its texels. It repeats to
 /// the left and right; `vertical` says what is above and below.
-#[inline]
+#[inline(always)]
 pub fn sample(texels: &[[f32; 4]], texture: &Texture, uv: Vec2, vertical: Edge) -> Vec3 {
     let (left, right, across) = neighbours(uv.x, texture.width, Edge::Repeat);
     let (above, below, down) = neighbours(1.0 - uv.y, texture.height, vertical);
