@@ -1,8 +1,8 @@
 //! Clean-up of lowered kernels.
 //!
 //! Lowering leaves copies, values of odd widths and much that nobody uses. In turn: [copies] are resolved, [odd
-//! integers](promote) put into words, then [folding](fold), [spelling out of arithmetic with zeros](zeros), [merging of equal values](equal) and [removal of unused ones](unused)
-//! repeat until nothing changes, and last four stores to one record become [one of 128 bits](stores).
+//! integers](promote) put into words, then [folding](fold), [spelling out of arithmetic with zeros](zeros), [merging of equal
+//! values](equal) and [removal of unused ones](unused) repeat until nothing changes, and last four stores to one record become [one of 128 bits](stores).
 
 pub mod builder;
 pub mod copies;
