@@ -7,7 +7,7 @@
 //! * z is scaled by 1/d_z while projecting, so that coordinates of 10¹⁵ do not overflow.
 
 use crate::layout::Hit;
-use crate::math::{div, max, min};
+use crate::math::{div, max, min, product_error};
 use crate::traversal::ray::{Prepared, XYZ_AT};
 use crate::traversal::rows::{LANES, NUMBERS, Triangles, vector};
 use crate::traversal::rules::{Rules, closer};
@@ -56,18 +56,6 @@ pub fn edges(pack: &Triangles, lane: usize, ray: &Prepared) -> Edges {
     let least = min(min(u, v), w);
     let most = max(max(u, v), w);
     Edges { scaled_t: u * az + v * bz + w * cz, area: u + v + w, inside: max(least, 0.0 - most) }
-}
-
-/// Dekker's error of the product `p = fl(a·b)`, exact without fma as long as nothing over- or underflows.
-#[inline(always)]
-fn product_error(a: f32, b: f32, p: f32) -> f32 {
-    let split = |x: f32| {
-        let scaled = 4097.0 * x;
-        let high = scaled - (scaled - x);
-        (high, x - high)
-    };
-    let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));
-    ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low
 }
 
 /// Whether the edge function `p.x·q.y − p.y·q.x` is positive, and whether it is negative: one of both unless `p = q`.
