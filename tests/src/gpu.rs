@@ -1,5 +1,8 @@
 //! The drivers that tests run on, and what happens when there is none.
 //!
+//! `PARALLAX_ADAPTER=NAME` puts the adapter whose name contains NAME in lavapipe's place: the same tests on a
+//! GPU of one's own.
+//!
 //! `tests/run.sh` offers lavapipe and SwiftShader side by side (`VK_DRIVER_FILES`). A test asks for one by
 //! [`open`]; where it is missing the test says SKIPPED, on the terminal and not into cargo's captured output,
 //! or fails if `PARALLAX_REQUIRE_GPU=1`.
@@ -12,7 +15,7 @@ use std::io::Write;
 pub enum Driver {
     /// Whatever an engine would get that asks for a GPU: hardware if there is some.
     Any,
-    /// Mesa's software driver.
+    /// Mesa's software driver, or what `PARALLAX_ADAPTER` names.
     Lavapipe,
     /// The software driver of Chromium.
     SwiftShader,
@@ -23,11 +26,11 @@ impl Driver {
     pub const SOFTWARE: [Driver; 2] = [Driver::Lavapipe, Driver::SwiftShader];
 
     /// Part of the adapter's name.
-    fn adapter(self) -> Option<&'static str> {
+    fn adapter(self) -> Option<String> {
         match self {
             Driver::Any => None,
-            Driver::Lavapipe => Some("llvmpipe"),
-            Driver::SwiftShader => Some("swiftshader"),
+            Driver::Lavapipe => Some(std::env::var("PARALLAX_ADAPTER").unwrap_or_else(|_| "llvmpipe".into())),
+            Driver::SwiftShader => Some("swiftshader".into()),
         }
     }
 
@@ -47,7 +50,7 @@ pub fn open(driver: Driver, profile: Profile) -> Option<Gpu> {
     let missing = |error: &BackendError| {
         matches!(error, BackendError::NoAdapter { .. } | BackendError::UnknownAdapter { .. })
     };
-    match Gpu::open(profile, driver.adapter()) {
+    match Gpu::open(profile, driver.adapter().as_deref()) {
         Err(error) if !missing(&error) => panic!("{driver:?} cannot be opened: {error}"),
         opened => require(opened.map_err(|error| format!("{driver:?}: {error}")), driver.is_required()),
     }

@@ -16,6 +16,8 @@ pub struct Constants {
     pub vec4: Word,
     /// By type and bits.
     known: BTreeMap<(Word, u64), Word>,
+    /// Zeros by type.
+    zeros: BTreeMap<Word, Word>,
 }
 
 impl Constants {
@@ -28,6 +30,7 @@ impl Constants {
             f32: builder.type_float(32, None),
             vec4: builder.type_vector(u32, 4),
             known: BTreeMap::new(),
+            zeros: BTreeMap::new(),
         }
     }
 
@@ -50,6 +53,11 @@ impl Constants {
             true => builder.constant_true(ty),
             false => builder.constant_false(ty),
         })
+    }
+
+    /// The zero of any type of values.
+    pub fn zero(&mut self, builder: &mut Builder, ty: Word) -> Word {
+        *self.zeros.entry(ty).or_insert_with(|| builder.constant_null(ty))
     }
 
     fn long(&mut self, builder: &mut Builder, ty: Word, value: u64) -> Word {

@@ -40,12 +40,16 @@ impl Emitter<'_> {
     }
 
     /// The variable of a phi; declared when it is first met.
+    ///
+    /// It begins as zero, although what is read before it is set is never used: NVIDIA's compiler (driver 580.159) let whole
+    /// warps leave nested loops rounds too early when such variables began undefined.
     fn phi_variable(&mut self, phi: Id) -> Result<Word, EmitError> {
         if let Some(&variable) = self.phis.get(&phi) {
             return Ok(variable);
         }
         let ty = self.type_id(&self.kernel.function[phi].ty)?;
-        let variable = self.local(ty, None);
+        let zero = self.constants.zero(&mut self.builder, ty);
+        let variable = self.local(ty, Some(zero));
         self.phis.insert(phi, variable);
         Ok(variable)
     }

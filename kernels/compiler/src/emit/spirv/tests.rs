@@ -87,6 +87,28 @@ fn a_loop_is_left_at_its_start() {
     assert_eq!(opcodes, [Op::Branch]);
 }
 
+/// What stands for a phi begins as zero, even where the code sets it before it is read; a loop's own variable is set in front of it.
+#[test]
+fn variables_of_values_begin_as_zero() {
+    let mut k = KernelBuilder::new(3);
+    let (_, next) = k.counter(1, 0);
+    let again = k.push(1, less(next, word(5)), Type::BOOL);
+    k.end(0, Terminator::Branch(BlockId(1)));
+    k.end(1, Terminator::Condition(again, BlockId(1), BlockId(2))).end(2, Terminator::Return);
+    let module = loaded(&emitted(&k.build(), false));
+    let zeros: BTreeSet<Word> = module
+        .types_global_values
+        .iter()
+        .filter(|i| i.class.opcode == Op::ConstantNull)
+        .filter_map(|i| i.result_id)
+        .collect();
+    let variables =
+        module.functions[0].blocks[0].instructions.iter().filter(|i| i.class.opcode == Op::Variable);
+    let (begun, others): (Vec<_>, Vec<_>) = variables.partition(|i| i.operands.len() > 1);
+    assert_eq!((begun.len(), others.len()), (1, 1), "the counter, and whether the loop is done");
+    assert!(begun.iter().all(|i| zeros.contains(&i.operands[1].unwrap_id_ref())));
+}
+
 #[test]
 fn a_specialisation_constant_keeps_its_number_and_has_one_default() {
     let mut k = KernelBuilder::new(1);
