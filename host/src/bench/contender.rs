@@ -1,13 +1,15 @@
 //! Who takes part: our traversal and obvhs' two, each over its best structure.
 
 use crate::backend::cpu::instruction_set::{InstructionSet, Task};
-use crate::build::{BuildError, Bvh, Quality, build};
+use crate::backend::cpu::memory::Storage;
+use crate::bench::{BenchError, Case};
+use crate::build::{Quality, build};
 use obvhs::bvh2::Bvh2;
 use obvhs::cwbvh::CwBvh;
 use obvhs::ray::{Ray as ObvhsRay, RayHit};
 use obvhs::triangle::Triangle as ObvhsTriangle;
 use obvhs::{BvhBuildParams, bvh2, cwbvh};
-use parallax_shared::layout::{Hit, NONE, Ray, Triangle};
+use parallax_shared::layout::{Hit, NONE, Ray, Row, Triangle};
 use parallax_shared::traversal::{closest_hit, occluded};
 use std::time::Duration;
 
@@ -21,16 +23,24 @@ pub trait Contender {
     fn trace(&self, rays: &[Ray], any: bool, hits: &mut [Hit]);
 }
 
-/// Our own.
-pub struct Parallax(Bvh);
+/// Our own, in the memory that the CPU backend would give it.
+pub struct Parallax {
+    rows: Storage,
+    extent: f32,
+}
 
 impl Parallax {
     /// Builds the structure.
     ///
     /// # Errors
-    /// Those of the builder.
-    pub fn new(triangles: &[Triangle]) -> Result<Self, BuildError> {
-        Ok(Self(build(triangles, &[], &[], Quality::Full)?))
+    /// Those of the builder, or when there is too little memory.
+    pub fn new(case: &Case) -> Result<Self, BenchError> {
+        let name = || case.name.clone();
+        let bvh = build(&case.triangles, &[], &[], Quality::Full)
+            .map_err(|error| BenchError::Build { case: name(), error })?;
+        let rows = Storage::holding(bytemuck::cast_slice(&bvh.rows));
+        let rows = rows.ok_or_else(|| BenchError::OutOfMemory(name()))?;
+        Ok(Self { rows, extent: bvh.extent })
     }
 }
 
@@ -44,12 +54,14 @@ impl Contender for Parallax {
     }
 
     fn trace(&self, rays: &[Ray], any: bool, hits: &mut [Hit]) {
-        InstructionSet::best().run(Trace { bvh: &self.0, rays, any, hits });
+        let rows = bytemuck::cast_slice(self.rows.bytes());
+        InstructionSet::best().run(Trace { rows, extent: self.extent, rays, any, hits });
     }
 }
 
 struct Trace<'a> {
-    bvh: &'a Bvh,
+    rows: &'a [Row],
+    extent: f32,
     rays: &'a [Ray],
     any: bool,
     hits: &'a mut [Hit],
@@ -60,16 +72,16 @@ impl Task for Trace<'_> {
 
     #[inline(always)]
     fn run(self) {
-        let Bvh { rows, extent, .. } = self.bvh;
+        let Self { rows, extent, .. } = self;
         let pairs = self.rays.iter().zip(self.hits);
         // Loops, not `for_each`: its body stays a call, which is compiled for the baseline.
         if self.any {
             for (ray, hit) in pairs {
-                *hit = either(occluded(rows, ray, *extent));
+                *hit = either(occluded(rows, ray, extent));
             }
         } else {
             for (ray, hit) in pairs {
-                *hit = closest_hit(rows, ray, *extent);
+                *hit = closest_hit(rows, ray, extent);
             }
         }
     }

@@ -47,6 +47,9 @@ pub enum BenchError {
         /// Why.
         error: BuildError,
     },
+    /// The structure does not fit.
+    #[error("{0}: too little memory for the structure")]
+    OutOfMemory(String),
     /// Nothing to measure.
     #[error("{0}: no primary ray hits a triangle")]
     NothingHit(String),
@@ -121,8 +124,7 @@ pub fn traversal(cases: &[Case], options: Options) -> Result<Vec<BenchLine>, Ben
 }
 
 fn measure(case: &Case, options: Options) -> Result<Vec<BenchLine>, BenchError> {
-    let ours = Parallax::new(&case.triangles)
-        .map_err(|error| BenchError::Build { case: case.name.clone(), error })?;
+    let ours = Parallax::new(case)?;
     let sets = RaySets::new(case, options.size, &ours);
     if sets.diffuse.is_empty() {
         return Err(BenchError::NothingHit(case.name.clone()));

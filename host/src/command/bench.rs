@@ -10,9 +10,15 @@ use parallax::scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// What is measured when no scene is named, as far as the models are there: the last one ships with the
-/// project.
-const SCENES: [&str; 5] = ["dragon", "bunny", "buddha", "sponza", "spot"];
+/// What is measured when no scene is named, as far as the models are there (alone, without the floor that their
+/// scenes have): the last one ships with the project.
+const SCENES: [&str; 5] = [
+    "$PARALLAX_MODELS/stanford_dragon/dragon_vrip.ply",
+    "$PARALLAX_MODELS/stanford_bunny/bun_zipper.ply",
+    "$PARALLAX_MODELS/stanford_buddha/happy_buddha_113k.obj",
+    "sponza",
+    "spot",
+];
 
 const EXAMPLES: &str = "\
 Examples:

@@ -1,13 +1,14 @@
 //! Where scenes are.
 
 use anyhow::{Result, anyhow};
+use parallax::scene::{MODELS_PREFIX, model_file};
 use std::path::{Path, PathBuf};
 
 /// The scene that is rendered when none is named.
 const DEFAULT: &str = "default";
 
-/// The file of the scene that a user names: a path, or the name of a shipped scene; the default scene when
-/// none is named.
+/// The file of the scene that a user names: a path, the name of a shipped scene, or a model as scene files name
+/// it; the default scene when none is named.
 ///
 /// # Errors
 /// When nothing of that name exists. What the file holds is not looked at.
@@ -15,6 +16,9 @@ pub fn scene(named: Option<&Path>) -> Result<PathBuf> {
     let name = named.unwrap_or(Path::new(DEFAULT));
     if named.is_some() && name.exists() {
         return Ok(name.to_owned());
+    }
+    if let Some(model) = name.to_str().filter(|name| name.starts_with(MODELS_PREFIX)) {
+        return model_file(model).map_err(|error| anyhow!(error));
     }
     let is_path = name.components().count() > 1 || name.extension().is_some();
     if is_path {
@@ -50,6 +54,7 @@ mod tests {
     fn what_does_not_exist_is_named() {
         let told = |name: &str| scene(Some(Path::new(name))).unwrap_err().to_string();
         assert_eq!(told("nowhere/a.toml"), "nowhere/a.toml: no such file");
+        assert!(told("$PARALLAX_MODELS/nowhere/a.ply").starts_with("the model `nowhere/a.ply` is not in "));
         assert!(told("nowhere").contains("no shipped scene of that name"));
     }
 }

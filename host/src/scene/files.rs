@@ -12,7 +12,7 @@ use std::path::{Component, Path, PathBuf};
 use super::SceneError;
 
 /// The prefix of names that lie in the directory of models.
-const MODELS_PREFIX: &str = "$PARALLAX_MODELS/";
+pub const MODELS_PREFIX: &str = "$PARALLAX_MODELS/";
 
 /// The environment variable that names the directory of models.
 const MODELS_VARIABLE: &str = "PARALLAX_MODELS";

@@ -14,13 +14,22 @@ mod picture;
 mod textures;
 mod warning;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 pub use error::SceneError;
+pub use files::MODELS_PREFIX;
 pub use parallax_shared::layout::{Ellipsoid, Light, Material, Sphere, Triangle};
 pub use warning::{Problem, Warning};
 
 use crate::rig::StereoRig;
+
+/// The file that `name`, which begins with [`MODELS_PREFIX`], means in the directory of models.
+///
+/// # Errors
+/// Where it was looked for, as text.
+pub fn model_file(name: &str) -> Result<PathBuf, String> {
+    files::named(Path::new("."), name)
+}
 
 /// What is to be rendered and from where, world space, world units, not yet scaled.
 ///

@@ -2,12 +2,12 @@
 //! node to the next.
 
 use super::ray::Prepared;
-use super::rows::{LANES, LINKS, Node, STACK, Triangles};
+use super::rows::{self, LANES, LINKS, STACK, Triangles};
 use super::rules::Rules;
 use super::slab::{self, Lanes};
 use super::walk::Entry;
 use crate::geom::triangle::{self, Edges};
-use crate::layout::Hit;
+use crate::layout::{Hit, Row};
 use kernel_api::{At, OpenStack};
 
 /// Entry distance above the link: what children are sorted by, and not by the distance alone, so that equal distances have an order.
@@ -33,14 +33,16 @@ fn next(hit: &mut Lanes, enter: &[f32; LANES], links: &[u32; LANES]) -> u64 {
     key(enter[lane], links[lane])
 }
 
-/// The child to go to next; the others that are hit go onto the stack. `ANY`: in the order of lanes, else the nearest first.
+/// The child of the node at `link` to go to next; the others that are hit go onto the stack. `ANY`: in the order of lanes, else the nearest first.
 #[inline(always)]
 pub(super) fn visit<const ANY: bool>(
-    node: &Node,
+    rows: &[Row],
+    link: u32,
     ray: &Prepared,
     limit: f32,
     stack: &mut OpenStack<Entry, STACK>,
 ) -> Option<u32> {
+    let node = rows::node(rows, link);
     let (enter, hit) = slab::children(node, ray, limit);
     let links = node.window::<LANES>((LINKS * LANES) as u32);
     let mut hit = Lanes::of(&hit);
@@ -54,19 +56,23 @@ pub(super) fn visit<const ANY: bool>(
     }
     if ANY {
         while !hit.is_empty() {
-            stack.push(Entry { link: links[hit.take()], enter: 0 });
+            let link = links[hit.take()];
+            rows::prefetch(rows, link);
+            stack.push(Entry { link, enter: 0 });
         }
         return Some(first);
     }
     let first = key(enter[lane], first);
     let second = next(&mut hit, &enter, links);
     let (near, far) = in_order(first, second);
+    rows::prefetch(rows, far as u32);
     if hit.is_empty() {
         stack.push(entry(far));
         return Some(near as u32);
     }
     let third = next(&mut hit, &enter, links);
     let (middle, far) = in_order(far, third);
+    rows::prefetch(rows, far as u32);
     let (near, middle) = in_order(near, middle);
     stack.push(entry(far));
     stack.push(entry(middle));

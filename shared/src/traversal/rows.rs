@@ -64,6 +64,12 @@ pub(crate) fn triangles(rows: &[Row], link: u32) -> &Triangles {
     must_cast_ref(rows.window::<TRIANGLE_ROWS>(link & ROW))
 }
 
+/// Hints that what is behind `link`, which waits on the stack, will be wanted: worth 2 to 4 % where a model is larger than the caches.
+#[inline(always)]
+pub(crate) fn prefetch(rows: &[Row], link: u32) {
+    rows.prefetch::<TRIANGLE_ROWS>(link & ROW);
+}
+
 /// The vector in `lane` of three rows of a node or pack, given by the words at which they start.
 ///
 /// Written out: a closure in `map` may stay a call, compiled without vector instructions, which would throw all the ray's constants

@@ -29,11 +29,10 @@ pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &R
     let mut link = 0;
     loop {
         if link & LEAF == 0 {
-            let node = rows::node(rows, link);
             let next = if SCAN {
-                lanes::visit(node, &ray, limit, stack)
+                lanes::visit(rows::node(rows, link), &ray, limit, stack)
             } else {
-                arrays::visit::<ANY>(node, &ray, limit, stack)
+                arrays::visit::<ANY>(rows, link, &ray, limit, stack)
             };
             if let Some(next) = next {
                 link = next;

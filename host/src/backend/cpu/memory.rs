@@ -2,40 +2,52 @@
 
 use crate::backend::arguments::Arguments;
 use kernel_api::{Access, Buffer, Memory, Out};
+use memmap2::MmapMut;
 use std::cell::Cell;
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicU8, AtomicU32};
 
-/// Memory comes in cache lines, which also satisfies every alignment that a record may ask for.
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C, align(64))]
-struct Line([u32; 16]);
-
 /// What an output holds until it is written: a NaN, and no valid index.
-const POISON: Line = Line([u32::MAX; 16]);
+const POISON: u8 = 0xff;
 
-/// Owned memory of a buffer.
-pub(super) struct Storage {
-    lines: Vec<Line>,
+/// Owned memory of a buffer: whole pages, which satisfies every alignment that a record may ask for.
+///
+/// On Linux large ones where there are some: the walk of a ray touches a node here and a node there, and with small pages
+/// each of them costs a walk through the page table, too.
+pub(crate) struct Storage {
+    pages: MmapMut,
     bytes: usize,
 }
 
 impl Storage {
     /// Poisoned memory of `bytes` bytes, or `None` when there is not enough.
     pub fn poisoned(bytes: usize) -> Option<Self> {
-        let count = bytes.div_ceil(size_of::<Line>());
-        let mut lines = Vec::new();
-        lines.try_reserve_exact(count).ok()?;
-        lines.resize(count, POISON);
-        Some(Self { lines, bytes })
+        let mut storage = Self::zeroed(bytes)?;
+        storage.pages.fill(POISON);
+        Some(storage)
+    }
+
+    /// Memory that holds `data`, or `None` when there is not enough.
+    pub fn holding(data: &[u8]) -> Option<Self> {
+        let mut storage = Self::zeroed(data.len())?;
+        storage.bytes_mut().copy_from_slice(data);
+        Some(storage)
+    }
+
+    fn zeroed(bytes: usize) -> Option<Self> {
+        let pages = MmapMut::map_anon(bytes.max(1)).ok()?;
+        #[cfg(target_os = "linux")]
+        // A wish: a kernel without large pages refuses, and small ones will do.
+        let _ = pages.advise(memmap2::Advice::HugePage);
+        Some(Self { pages, bytes })
     }
 
     pub fn bytes(&self) -> &[u8] {
-        &bytemuck::cast_slice(&self.lines)[..self.bytes]
+        &self.pages[..self.bytes]
     }
 
     pub fn bytes_mut(&mut self) -> &mut [u8] {
-        &mut bytemuck::cast_slice_mut(&mut self.lines)[..self.bytes]
+        &mut self.pages[..self.bytes]
     }
 }
 

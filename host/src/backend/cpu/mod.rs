@@ -1,7 +1,7 @@
 //! The CPU backend: a pass is a parallel loop over its workgroups.
 
 pub mod instruction_set;
-mod memory;
+pub(crate) mod memory;
 
 use crate::backend::arguments::Arguments;
 use crate::backend::grid::Grid;
@@ -59,6 +59,24 @@ impl Cpu {
     fn storage<T: Pod>(&self, what: &str, buffer: Buffer<T>) -> Result<&Storage, BackendError> {
         check_handle(what, self.owner, buffer, self.buffers.get(&buffer.id), |storage| storage.bytes().len())
     }
+
+    /// Takes `storage` for a new buffer of `len` elements; without it there was too little memory.
+    fn insert<T: Pod>(
+        &mut self,
+        label: &'static str,
+        len: usize,
+        storage: Option<Storage>,
+    ) -> Result<Buffer<T>, BackendError> {
+        const { assert!(size_of::<T>() > 0 && size_of::<T>().is_multiple_of(4), "elements are whole words") };
+        let count = u32::try_from(len).map_err(|_| BackendError::TooLong { label, len })?;
+        let out_of_memory = || BackendError::OutOfMemory {
+            place: "the CPU".into(),
+            what: format!("buffer `{label}` of {len} × {} bytes", size_of::<T>()),
+        };
+        self.next_id += 1;
+        self.buffers.insert(self.next_id, storage.ok_or_else(out_of_memory)?);
+        Ok(Buffer::new(self.owner, self.next_id, count))
+    }
 }
 
 impl Backend for Cpu {
@@ -69,24 +87,11 @@ impl Backend for Cpu {
     }
 
     fn create<T: Pod>(&mut self, label: &'static str, len: usize) -> Result<Buffer<T>, BackendError> {
-        const { assert!(size_of::<T>() > 0 && size_of::<T>().is_multiple_of(4), "elements are whole words") };
-        let count = u32::try_from(len).map_err(|_| BackendError::TooLong { label, len })?;
-        let storage = len.checked_mul(size_of::<T>()).and_then(Storage::poisoned);
-        let out_of_memory = || BackendError::OutOfMemory {
-            place: "the CPU".into(),
-            what: format!("buffer `{label}` of {len} × {} bytes", size_of::<T>()),
-        };
-        self.next_id += 1;
-        self.buffers.insert(self.next_id, storage.ok_or_else(out_of_memory)?);
-        Ok(Buffer::new(self.owner, self.next_id, count))
+        self.insert(label, len, len.checked_mul(size_of::<T>()).and_then(Storage::poisoned))
     }
 
     fn upload<T: Pod>(&mut self, label: &'static str, data: &[T]) -> Result<Buffer<T>, BackendError> {
-        let buffer = self.create(label, data.len())?;
-        if let Some(storage) = self.buffers.get_mut(&buffer.id) {
-            storage.bytes_mut().copy_from_slice(bytemuck::cast_slice(data));
-        }
-        Ok(buffer)
+        self.insert(label, data.len(), Storage::holding(bytemuck::cast_slice(data)))
     }
 
     fn read<T: Pod>(&mut self, buffer: Buffer<T>) -> Result<Vec<T>, BackendError> {

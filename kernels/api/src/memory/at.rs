@@ -41,6 +41,9 @@ pub trait At<T> {
     fn tail<I: Index>(&self, i: I) -> &[T];
     /// The `N` elements from `i` on: one check for all of them.
     fn window<const N: usize>(&self, i: u32) -> &[T; N];
+    /// Hints that the `N` elements from `i` on will be read before long; may be beyond the end. Does nothing on a device, and on
+    /// processors for which Rust has no such instruction.
+    fn prefetch<const N: usize>(&self, i: u32);
     /// Sets the element at `i` of an array that belongs to this invocation alone.
     fn put<I: Index>(&mut self, i: I, value: T);
 }
@@ -85,6 +88,23 @@ impl<T> At<T> for [T] {
     }
 
     #[inline(always)]
+    fn prefetch<const N: usize>(&self, i: u32) {
+        #[cfg(all(not(feature = "device"), target_arch = "x86_64"))]
+        {
+            use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+            let first = self.as_ptr().wrapping_add(i as usize).cast::<i8>();
+            let mut at = 0;
+            while at < size_of::<[T; N]>() {
+                // SAFETY: a hint reads nothing and never faults, wherever it points.
+                unsafe { _mm_prefetch::<_MM_HINT_T0>(first.wrapping_add(at)) };
+                at += CACHE_LINE;
+            }
+        }
+        #[cfg(any(feature = "device", not(target_arch = "x86_64")))]
+        let _ = i;
+    }
+
+    #[inline(always)]
     fn put<I: Index>(&mut self, i: I, value: T) {
         #[cfg(not(feature = "device"))]
         return self[i.index()] = value;
@@ -93,6 +113,10 @@ impl<T> At<T> for [T] {
         return unsafe { *self.get_unchecked_mut(i.index()) = value };
     }
 }
+
+/// Bytes that one prefetch brings.
+#[cfg(all(not(feature = "device"), target_arch = "x86_64"))]
+const CACHE_LINE: usize = 64;
 
 /// Out of line and by value, so that a loop around [`At::window`] keeps nothing in memory for the message.
 #[cfg(not(feature = "device"))]
@@ -133,6 +157,12 @@ mod tests {
     #[should_panic(expected = "2 elements from 2 on of 3")]
     fn a_window_beyond_the_length_panics() {
         [1u32, 2, 3].window::<2>(2);
+    }
+
+    #[test]
+    fn a_prefetch_may_point_anywhere() {
+        [1u32, 2].prefetch::<2>(0);
+        [1u32, 2].prefetch::<40>(u32::MAX);
     }
 
     #[test]
