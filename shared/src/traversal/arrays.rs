@@ -56,9 +56,7 @@ pub(super) fn visit<const ANY: bool>(
     }
     if ANY {
         while !hit.is_empty() {
-            let link = links[hit.take()];
-            rows::prefetch(rows, link);
-            stack.push(Entry { link, enter: 0 });
+            stack.push(Entry { link: links[hit.take()], enter: 0 });
         }
         return Some(first);
     }
