@@ -8,4 +8,5 @@ pub mod primary;
 pub mod rays;
 pub mod shade;
 pub mod shadow;
+pub mod stereo;
 pub mod surface;

@@ -257,3 +257,40 @@ pub struct View {
     /// Zero.
     pub padding: [u32; 3],
 }
+
+/// How a band is reprojected from one view, the source, to the other one.
+///
+/// Columns of a reprojection are mirrored ones when the right eye is the source, so that every source moves to the right behind the
+/// zero-parallax plane; `stereo::reprojection::pixel` takes them to memory.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Reprojection {
+    /// Columns of the picture.
+    pub width: u32,
+    /// Rows in the band.
+    pub rows: u32,
+    /// Disparity in pixels of a point at infinity (e of the papers).
+    pub interaxial_px: f32,
+    /// 1 when the right eye is the source, else 0.
+    pub mirrored: u32,
+    /// Which candidates a ray verifies.
+    pub verify: u32,
+    /// From this column on every candidate is verified; the width for none.
+    pub checked_from: u32,
+    /// Slots per pixel of a 3D buffer, else 0.
+    pub depth: u32,
+    /// 1 when no two sources share a slot.
+    pub exclusive: u32,
+    /// 1 when a gap has its right end too.
+    pub inclusive: u32,
+    /// 1 when the hits of reused pixels are written too.
+    pub keep_hits: u32,
+    /// 1 when the colours of reused pixels are copied.
+    pub copies: u32,
+    /// Sub-pixels a side of the jittered grid; 0 or 1 for none.
+    pub samples: u32,
+    /// Seed of the jitter.
+    pub seed: u32,
+    /// Zero.
+    pub padding: [u32; 3],
+}

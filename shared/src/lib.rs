@@ -16,4 +16,5 @@ pub mod math;
 pub mod output;
 pub mod scene;
 pub mod shading;
+pub mod stereo;
 pub mod traversal;

@@ -11,3 +11,4 @@ pub mod reference;
 pub mod scenes;
 pub mod small_scenes;
 pub mod stage;
+pub mod tables;

@@ -31,6 +31,7 @@ mod rays;
 mod renderer;
 pub mod scale;
 mod scene_data;
+pub mod stereo;
 mod times;
 
 pub use buffers::SceneBuffers;

@@ -1,0 +1,3 @@
+//! The second view from the first.
+
+pub mod overlap;

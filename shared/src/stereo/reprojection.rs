@@ -1,0 +1,61 @@
+//! Where a point that one view sees lies in the other one.
+//!
+//! A point has the same `t` in both views, as `pixel_direction` of either has the component d along the axis, and the same row. So a
+//! source goes x_r − x_l = `camera::disparity_px` to the side, and as sources stand in whole columns, how far it goes to the nearest
+//! pixel depends on `t` alone. In columns counted from the other side the same holds for the right view as the source.
+
+use crate::camera;
+use crate::layout::Reprojection;
+use crate::math;
+
+/// Key of an entry that nothing has raised.
+pub const EMPTY: u32 = 0;
+
+/// Disparities beyond this are one: no picture has so many columns, and a column and a shift have a sum.
+const FARTHEST: f32 = 1_048_576.0;
+
+/// The key of source column `x`.
+#[inline(always)]
+pub fn key(x: u32) -> u32 {
+    x + 1
+}
+
+/// The whole number next to a disparity, the larger one of two (half a pixel goes to the right).
+///
+/// Within ½ of the disparity as given, and that is within 3·2⁻²⁴ of itself (three roundings) of e (t − 1) / t. ⌊D + ½⌋ would round its
+/// sum, and be one too large just below a half; D − ⌊D⌋ is exact where it could matter. Magnitudes are clamped to 2²⁰; NaN (`t` = 0
+/// with e = 0) is the smallest shift, outside of every picture.
+#[inline(always)]
+pub fn shift_px(disparity_px: f32) -> i32 {
+    let disparity_px = math::clamp(disparity_px, -FARTHEST, FARTHEST);
+    let whole = math::floor_to_int(disparity_px);
+    whole + (disparity_px - whole as f32 >= 0.5) as i32
+}
+
+/// The column on which source column `x`, which sees something at `t`, lands: −1 … width, of which the ends are outside.
+#[inline(always)]
+pub fn target(p: &Reprojection, t: f32, x: u32) -> i32 {
+    let target = x as i32 + shift_px(camera::disparity_px(p.interaxial_px, t));
+    target.min(p.width as i32).max(-1)
+}
+
+/// Index of column `x` of `row` among the band's pixels.
+#[inline(always)]
+pub fn pixel(p: &Reprojection, x: u32, row: u32) -> u32 {
+    row * p.width + if p.mirrored == 0 { x } else { p.width - 1 - x }
+}
+
+/// The `t` at which a point has a disparity one pixel smaller than at `t`: what is nearer hides a candidate at `t` by more than the
+/// rounding to pixels explains.
+///
+/// 1 / t grows by 1 / e. +∞ for the sky, which anything hides; 0 without a distance between the eyes, where nothing is hidden.
+#[inline(always)]
+pub fn nearer_by_a_pixel(interaxial_px: f32, t: f32) -> f32 {
+    if interaxial_px == 0.0 {
+        0.0
+    } else if t == f32::INFINITY {
+        f32::INFINITY
+    } else {
+        math::div(t * interaxial_px, interaxial_px + t)
+    }
+}

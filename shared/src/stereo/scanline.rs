@@ -1,0 +1,30 @@
+//! The tables of a row by one walk from left to right: 001's algorithm as it is, and 000 Alg. 1 (Es and İşler: rows in parallel).
+//!
+//! Departures from 000 Alg. 1: its test `oldR − rep > 1` is the other way round, it marks `I_ri` where `I_r,rep` is meant, and like
+//! 001 it lets a target below 0 through (see [`run`](super::run)). 003 fig. 5.4 clears from `prev` on, which is a valid pixel.
+
+use super::reprojection::{key, pixel};
+use super::run::{gap, is_inside, landing};
+use crate::layout::{Hit, Reprojection};
+use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use kernel_api::At;
+
+/// Fills `row` of both tables, which must be empty and belong to this invocation alone. Keys grow on the way, so the last store to a
+/// pixel is the largest one.
+#[inline(always)]
+pub fn scanline(p: &Reprojection, hits: &[Hit], candidates: &[AtomicU32], gaps: &[AtomicU32], row: u32) {
+    let (mut before, mut x) = (-1, 0);
+    while x <= p.width {
+        let target = landing(p, hits, x, row);
+        let (mut cleared, end) = gap(p, before, target);
+        while cleared < end {
+            gaps.at_ref(pixel(p, cleared as u32, row)).store(key(x), Relaxed);
+            cleared += 1;
+        }
+        if is_inside(p, target) {
+            candidates.at_ref(pixel(p, target as u32, row)).store(key(x), Relaxed);
+        }
+        before = target;
+        x += 1;
+    }
+}
