@@ -53,20 +53,38 @@ impl<'a> Run<'a> {
         pixel(self.p, x, self.row)
     }
 
-    /// Where the columns land. Behind the row's end the last column's `t` stands in, so that all lanes do the same.
+    /// Where the columns land; of no meaning behind the row's end.
     #[inline(always)]
     pub fn targets(&self, hits: &[Hit]) -> Lanes {
-        let last = self.end - 1;
-        let mut t = [0.0; RUN as usize];
-        for (lane, t) in (0..RUN).zip(&mut t) {
-            let x = self.first + lane;
-            *t = hits.at_ref(self.pixel(if x < last { x } else { last })).t;
-        }
+        let t = self.depths(hits);
         let mut targets = [0; RUN as usize];
         for lane in 0..RUN as usize {
             targets[lane] = target(self.p, t[lane], self.first + lane as u32);
         }
         targets
+    }
+
+    /// `t` of the columns, and zeros behind the row's end. A whole run is read without a check for each lane.
+    #[inline(always)]
+    fn depths(&self, hits: &[Hit]) -> [f32; RUN as usize] {
+        let mut t = [0.0; RUN as usize];
+        if self.end - self.first == RUN {
+            let (from, flip) = match self.p.mirrored {
+                0 => (self.first, 0),
+                _ => (self.end - 1, RUN as usize - 1),
+            };
+            let hits: &[Hit; RUN as usize] = hits.window(self.pixel(from));
+            for lane in 0..RUN as usize {
+                t[lane] = hits[lane ^ flip].t;
+            }
+        } else {
+            let mut x = self.first;
+            while x < self.end {
+                t.put(x - self.first, hits.at_ref(self.pixel(x)).t);
+                x += 1;
+            }
+        }
+        t
     }
 
     /// Where the column before the run lands.
@@ -75,8 +93,8 @@ impl<'a> Run<'a> {
         if self.first == 0 { -1 } else { landing(self.p, hits, self.first - 1, self.row) }
     }
 
-    /// Calls `land(pixel, x)` for each column `x` of the run that lands in the picture, and marks the gaps between the targets: of
-    /// column x, `target(x)`, and `before` of the column before the run.
+    /// Calls `land(pixel, x)` for each column `x` of the run that lands in the picture, and `set(entry, key)` for each entry of `gaps`
+    /// between the targets: of column x, `target(x)`, and `before` of the column before the run. Returns the last target.
     ///
     /// 001's and 000's pseudocode guard a target by `j < w` alone; in front of the zero-parallax plane j < 0 occurs too.
     #[inline(always)]
@@ -85,32 +103,46 @@ impl<'a> Run<'a> {
         mut before: i32,
         target: impl Fn(u32) -> i32,
         gaps: &[AtomicU32],
+        set: impl Fn(&AtomicU32, u32),
         land: impl Fn(u32, u32),
-    ) {
+    ) -> i32 {
         let mut x = self.first;
         while x < self.end {
             let target = target(x);
+            self.mark(before, target, |pixel| set(gaps.at_ref(pixel), key(x)));
             if is_inside(self.p, target) {
                 land(self.pixel(target as u32), x);
             }
-            self.mark(before, target, gaps, key(x));
             before = target;
             x += 1;
         }
         if self.end == self.p.width {
-            self.mark(before, self.p.width as i32, gaps, key(self.end));
+            self.mark(before, self.p.width as i32, |pixel| set(gaps.at_ref(pixel), key(self.end)));
         }
+        before
     }
 
-    /// Marks the pixels between two targets.
+    /// Calls `set` for the pixels between two targets.
     #[inline(always)]
-    fn mark(&self, before: i32, target: i32, gaps: &[AtomicU32], key: u32) {
+    fn mark(&self, before: i32, target: i32, set: impl Fn(u32)) {
         let (mut x, end) = gap(self.p, before, target);
         while x < end {
-            gaps.at_ref(self.pixel(x as u32)).fetch_max(key, Relaxed);
+            set(self.pixel(x as u32));
             x += 1;
         }
     }
+}
+
+/// Raises an entry, whoever else does.
+#[inline(always)]
+pub fn raise(entry: &AtomicU32, key: u32) {
+    entry.fetch_max(key, Relaxed);
+}
+
+/// Overwrites an entry of an invocation whose keys grow.
+#[inline(always)]
+pub fn overwrite(entry: &AtomicU32, key: u32) {
+    entry.store(key, Relaxed);
 }
 
 /// Where column `x` of `row` lands; column w, which there is not, on w.

@@ -3,28 +3,25 @@
 //! Departures from 000 Alg. 1: its test `oldR − rep > 1` is the other way round, it marks `I_ri` where `I_r,rep` is meant, and like
 //! 001 it lets a target below 0 through (see [`run`](super::run)). 003 fig. 5.4 clears from `prev` on, which is a valid pixel.
 
-use super::reprojection::{key, pixel};
-use super::run::{gap, is_inside, landing};
+use super::reprojection::key;
+use super::run::{Run, overwrite};
 use crate::layout::{Hit, Reprojection};
-use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use core::sync::atomic::AtomicU32;
 use kernel_api::At;
 
 /// Fills `row` of both tables, which must be empty and belong to this invocation alone. Keys grow on the way, so the last store to a
 /// pixel is the largest one.
 #[inline(always)]
 pub fn scanline(p: &Reprojection, hits: &[Hit], candidates: &[AtomicU32], gaps: &[AtomicU32], row: u32) {
-    let (mut before, mut x) = (-1, 0);
-    while x <= p.width {
-        let target = landing(p, hits, x, row);
-        let (mut cleared, end) = gap(p, before, target);
-        while cleared < end {
-            gaps.at_ref(pixel(p, cleared as u32, row)).store(key(x), Relaxed);
-            cleared += 1;
-        }
-        if is_inside(p, target) {
-            candidates.at_ref(pixel(p, target as u32, row)).store(key(x), Relaxed);
-        }
-        before = target;
-        x += 1;
+    let (mut before, mut number) = (-1, 0);
+    let mut run = Run::new(p, number, row);
+    while !run.is_empty() {
+        let targets = run.targets(hits);
+        let target = |x| targets.at(x - run.first);
+        before = run.walk(before, target, gaps, overwrite, |pixel, x| {
+            overwrite(candidates.at_ref(pixel), key(x));
+        });
+        number += 1;
+        run = Run::new(p, number, row);
     }
 }

@@ -1,9 +1,9 @@
 //! The tables in two passes: the scatter table first, then what lands where (003 §5.4.2).
 
 use super::reprojection::key;
-use super::run::Run;
+use super::run::{Run, raise};
 use crate::layout::Hit;
-use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use core::sync::atomic::AtomicU32;
 use kernel_api::{At, Out};
 
 /// Writes where the columns of a run land, plus 1: 0 … width + 1, of which the ends are outside of the picture.
@@ -25,8 +25,6 @@ pub fn splat(run: &Run<'_>, scattered: &[u32], candidates: &[AtomicU32], gaps: &
     if !run.is_empty() {
         let target = |x| scattered.at(run.pixel(x)) as i32 - 1;
         let before = if run.first == 0 { -1 } else { target(run.first - 1) };
-        run.walk(before, target, gaps, |pixel, x| {
-            candidates.at_ref(pixel).fetch_max(key(x), Relaxed);
-        });
+        run.walk(before, target, gaps, raise, |pixel, x| raise(candidates.at_ref(pixel), key(x)));
     }
 }

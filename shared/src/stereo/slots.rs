@@ -10,9 +10,9 @@
 //! nearest of the sources that share one.
 
 use super::reprojection::{EMPTY, key};
-use super::run::{Run, is_inside, landing};
+use super::run::{Run, is_inside, landing, overwrite, raise};
 use crate::layout::{Hit, Reprojection};
-use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use core::sync::atomic::AtomicU32;
 use kernel_api::At;
 
 /// Puts the columns of a run into slots of the pixels where they land, and raises `gaps` between them.
@@ -21,19 +21,11 @@ pub fn put(run: &Run<'_>, hits: &[Hit], slots: &[AtomicU32], gaps: &[AtomicU32])
     let (depth, exclusive) = (run.p.depth, run.p.exclusive != 0);
     if !run.is_empty() && depth > 0 {
         let targets = run.targets(hits);
-        run.walk(
-            run.target_before(hits),
-            |x| targets.at(x - run.first),
-            gaps,
-            |pixel, x| {
-                let slot = slots.at_ref(pixel * depth + x % depth);
-                if exclusive {
-                    slot.store(key(x), Relaxed);
-                } else {
-                    slot.fetch_max(key(x), Relaxed);
-                }
-            },
-        );
+        let target = |x| targets.at(x - run.first);
+        run.walk(run.target_before(hits), target, gaps, raise, |pixel, x| {
+            let slot = slots.at_ref(pixel * depth + x % depth);
+            if exclusive { overwrite(slot, key(x)) } else { raise(slot, key(x)) }
+        });
     }
 }
 

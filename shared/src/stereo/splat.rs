@@ -5,9 +5,9 @@
 //! [`run`](super::run)) and cannot tie. 000's prose asks for the maximum of z, which is the farthest where z points into the scene.
 
 use super::reprojection::key;
-use super::run::Run;
+use super::run::{Run, raise};
 use crate::layout::Hit;
-use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use core::sync::atomic::AtomicU32;
 use kernel_api::At;
 
 /// Lets the columns of a run land: raises `candidates` where they do and `gaps` between them.
@@ -15,13 +15,9 @@ use kernel_api::At;
 pub fn splat(run: &Run<'_>, hits: &[Hit], candidates: &[AtomicU32], gaps: &[AtomicU32]) {
     if !run.is_empty() {
         let targets = run.targets(hits);
-        run.walk(
-            run.target_before(hits),
-            |x| targets.at(x - run.first),
-            gaps,
-            |pixel, x| {
-                candidates.at_ref(pixel).fetch_max(key(x), Relaxed);
-            },
-        );
+        let target = |x| targets.at(x - run.first);
+        run.walk(run.target_before(hits), target, gaps, raise, |pixel, x| {
+            raise(candidates.at_ref(pixel), key(x));
+        });
     }
 }
