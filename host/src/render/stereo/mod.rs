@@ -1,3 +1,4 @@
 //! The second view from the first.
 
 pub mod overlap;
+pub mod savings;
