@@ -5,8 +5,11 @@
 
 use crate::backend::{Backend, Gpu, Profile};
 use crate::compare::{Bound, Difference, Kind, Stage, StageReport, compare};
-use crate::render::band::{Band, EYES, Values};
-use crate::render::{RenderError, Renderer, SceneData};
+use crate::render::band::{Band, EYES, Second, Values};
+use crate::render::stereo::Plan;
+use crate::render::stereo::second::Inferred;
+use crate::render::{RenderError, Renderer, SceneData, StereoOptions};
+use parallax_shared::layout::RayCounts;
 use serde::Serialize;
 use std::fmt;
 
@@ -36,11 +39,12 @@ pub fn against_gpu<B: Backend>(
     reference: &mut B,
     gpu: &mut Gpu,
     data: &SceneData,
+    options: &StereoOptions,
     progress: &mut dyn FnMut(u64, u64),
 ) -> Result<Differential, RenderError> {
     let (profile, report) = (gpu.profile(), gpu.report().clone());
     let described = reference.describe();
-    let stages = stages(reference, gpu, data, profile, progress)?;
+    let stages = stages(reference, gpu, data, options, profile, progress)?;
     Ok(Differential {
         equal: !stages.is_empty() && stages.iter().all(|stage| stage.equal),
         profile: profile.name(),
@@ -59,27 +63,27 @@ pub fn stages<L: Backend, R: Backend>(
     left: &mut L,
     right: &mut R,
     data: &SceneData,
+    options: &StereoOptions,
     profile: Profile,
     progress: &mut dyn FnMut(u64, u64),
 ) -> Result<Vec<StageReport>, RenderError> {
+    let plan = Plan::new(data, options, true)?;
     let height = data.views[0].height;
     let mut left = Renderer::new(left, data)?;
     let mut right = Renderer::new(right, data)?;
-    let rows = left.suggested_rows().min(right.suggested_rows());
-    let total = u64::from(height) * EYES.len() as u64;
-    let mut reports = Vec::new();
-    let mut done = 0;
-    for (eye, view) in EYES.iter().enumerate() {
-        let mut of_view: Vec<Compared> = Vec::new();
-        for band in Band::of_picture(height, rows) {
-            let (left, right) = (left.band(eye, band)?, right.band(eye, band)?);
-            merge(&mut of_view, compare_values(view, profile, &left, &right));
-            done += u64::from(band.rows);
-            progress(done, total);
+    let rows = left.suggested_rows(&plan).min(right.suggested_rows(&plan));
+    let mut reports: [Vec<Compared>; 2] = Default::default();
+    let eyes = options.first.eyes().map(|eye| EYES[eye]);
+    for band in Band::of_picture(height, rows) {
+        let (left, right) = (left.pair(&plan, band)?, right.pair(&plan, band)?);
+        let source = (words_of(&left.source), words_of(&right.source));
+        let second = (words_of_second(&left.second), words_of_second(&right.second));
+        for ((reports, view), (left, right)) in reports.iter_mut().zip(eyes).zip([source, second]) {
+            merge(reports, compare_words(view, profile, left, right));
         }
-        reports.extend(of_view.into_iter().map(Compared::conclude));
+        progress(u64::from(band.first_row + band.rows), u64::from(height));
     }
-    Ok(reports)
+    Ok(reports.into_iter().flatten().map(Compared::conclude).collect())
 }
 
 /// One stage's words and what they are.
@@ -141,14 +145,47 @@ fn words_of(values: &Values) -> Vec<Words> {
     stages
 }
 
+/// Every stage of a second view.
+fn words_of_second(second: &Second) -> Vec<Words> {
+    match second {
+        Second::Traced(values) => words_of(values),
+        Second::Inferred(inferred) => words_of_inferred(inferred),
+    }
+}
+
+fn words_of_inferred(inferred: &Inferred) -> Vec<Words> {
+    let word = |stage, words: &[u32]| Words::of(stage, Kind::Word, words, |word| [*word]);
+    let rays = |stage, counts: &[RayCounts]| {
+        Words::of(stage, Kind::Word, counts, |count| bytemuck::cast::<_, [u32; 4]>(*count))
+    };
+    let mut stages = vec![
+        word("candidates", &inferred.candidates),
+        word("gaps", &inferred.gaps),
+        word("source", &inferred.source),
+        Words::of("prim_id", Kind::AnyWord, &inferred.hits, |hit| [hit.prim_id]),
+        Words::of("t", Kind::FloatOrInfinity, &inferred.hits, |hit| bits([hit.t])),
+        Words::of("position", Kind::Float, &inferred.surfaces, |s| bits(s.position)),
+        Words::of("shading normal", Kind::Float, &inferred.surfaces, |s| bits(s.shading_normal)),
+        Words::of("disparity", Kind::Float, &inferred.surfaces, |s| bits([s.disparity])),
+        Words::of("local colour", Kind::Float, &inferred.local, |colour| bits(*colour)),
+        rays("primary rays", &inferred.primary_rays),
+        rays("shadow rays", &inferred.shadow_rays),
+    ];
+    if let Some(bounced) = &inferred.bounced {
+        stages.push(rays("bounced rays", &bounced.rays));
+    }
+    stages.push(Words::of("colour", Kind::Float, inferred.colour(), |colour| bits(*colour)));
+    stages
+}
+
 /// A stage of the bands so far, and the bound that it is held to.
 struct Compared {
     bound: Bound,
     report: StageReport,
 }
 
-fn compare_values(view: &str, profile: Profile, left: &Values, right: &Values) -> Vec<Compared> {
-    let pairs = words_of(left).into_iter().zip(words_of(right));
+fn compare_words(view: &str, profile: Profile, left: Vec<Words>, right: Vec<Words>) -> Vec<Compared> {
+    let pairs = left.into_iter().zip(right);
     let compared = |(left, right): (Words, Words)| {
         let Words { stage, kind, components, .. } = left;
         let bound = Bound::of(profile, kind);

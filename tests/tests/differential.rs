@@ -7,7 +7,7 @@ use parallax::backend::gpu::{Module, Modules};
 use parallax::backend::{Cpu, Gpu, Profile};
 use parallax::diff::{self, Differential};
 use parallax::render::band::{Band, Values};
-use parallax::render::{Renderer, SceneData};
+use parallax::render::{Renderer, SceneData, StereoOptions};
 use parallax_tests::gpu::{Driver, open};
 use parallax_tests::scenes;
 
@@ -18,7 +18,8 @@ const SIZE: [u32; 2] = [61, 43];
 const FEW: [&str; 4] = ["default", "whitted", "ellipsoids_20", "cornell"];
 
 fn compare(gpu: &mut Gpu, data: &SceneData) -> Differential {
-    diff::against_gpu(&mut Cpu::new(0).unwrap(), gpu, data, &mut |_, _| {}).unwrap()
+    diff::against_gpu(&mut Cpu::new(0).unwrap(), gpu, data, &StereoOptions::default(), &mut |_, _| {})
+        .unwrap()
 }
 
 /// Compares the scenes of which `wanted` holds and names those that differ.
@@ -84,7 +85,9 @@ fn how_a_picture_is_cut_into_bands_does_not_matter() {
 fn the_number_of_threads_does_not_matter() {
     let data = default_scene(SIZE);
     let [mut one, mut three] = [1, 3].map(|threads| Cpu::new(threads).unwrap());
-    let reports = diff::stages(&mut one, &mut three, &data, Profile::Strict, &mut |_, _| {}).unwrap();
+    let reports =
+        diff::stages(&mut one, &mut three, &data, &StereoOptions::default(), Profile::Strict, &mut |_, _| {})
+            .unwrap();
     assert!(reports.iter().all(|report| report.equal), "{reports:#?}");
 }
 

@@ -51,7 +51,7 @@ fn hashes_of(data: &SceneData) -> BTreeMap<String, String> {
 /// Writes what the scene looks like now and returns how many pixels differ from the golden picture, if there
 /// is one.
 fn picture(data: &SceneData, name: &str, path: &Path) -> Option<usize> {
-    let frame = render(&mut Cpu::new(0).unwrap(), data, Method::Naive, &mut |_, _| {}).unwrap();
+    let frame = render(&mut Cpu::new(0).unwrap(), data, &Method::Naive.into(), &mut |_, _| {}).unwrap();
     let golden = image::open(path).ok().map(|image| image.to_rgb8());
     let written = tempfile::tempdir().unwrap();
     let format = parallax::output::Format::SideBySide;

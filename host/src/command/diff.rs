@@ -1,13 +1,13 @@
 //! `parallax diff`.
 
 use super::failure::{Blame, Failure};
-use super::options::{Loaded, SceneOptions};
+use super::options::{Loaded, MethodOptions, SceneOptions};
 use super::progress::Progress;
 use super::report::{self, JsonOption};
 use parallax::backend::{Cpu, Gpu, Profile};
 use parallax::build::Quality;
 use parallax::diff::{self, Differential};
-use parallax::render::{Method, SceneData};
+use parallax::render::SceneData;
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -28,9 +28,8 @@ Exit code: 0 when the backends agree, 1 when they do not.";
 pub struct Options {
     #[command(flatten)]
     scene: SceneOptions,
-    /// How the second view is made.
-    #[arg(long, value_enum, default_value_t)]
-    method: Method,
+    #[command(flatten)]
+    method: MethodOptions,
     /// The GPU whose name contains NAME; by default the best, or a software driver if there is no hardware.
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
@@ -59,6 +58,7 @@ struct Report {
 
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    let stereo = options.method.stereo()?;
     let Loaded { scene, path, warnings, .. } = options.scene.load()?;
     report::warn(&warnings);
     let data = SceneData::new(&scene, Quality::Full).usage()?;
@@ -66,7 +66,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     let mut cpu = Cpu::new(options.threads).work()?;
     let mut progress = Progress::new();
     let mut tell = |done, total| progress.update("comparing", done, total);
-    let differential = diff::against_gpu(&mut cpu, &mut gpu, &data, &mut tell).work()?;
+    let differential = diff::against_gpu(&mut cpu, &mut gpu, &data, &stereo, &mut tell).work()?;
     drop(progress);
     let equal = differential.equal;
     options.json.publish(&Report {
@@ -74,7 +74,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
         scene_file: path,
         width: scene.rig.width,
         height: scene.rig.height,
-        method: options.method.name(),
+        method: stereo.method.name(),
         differential,
         warnings,
     })?;

@@ -4,7 +4,7 @@ use super::failure::{Blame, Failure};
 use super::locate;
 use anyhow::Context;
 use parallax::backend::{Choice, Profile, Selection};
-use parallax::render::Overrides;
+use parallax::render::{Depth, First, Method, Overrides, Shadows, StereoOptions, Verify};
 use parallax::rig::DISPLAY_WIDTH;
 use parallax::scene::{self, Scene};
 use std::path::PathBuf;
@@ -58,6 +58,37 @@ impl SceneOptions {
 fn warnings(scene: &Scene) -> Vec<String> {
     let of_rig = scene.rig.guide_warning(DISPLAY_WIDTH);
     scene.warnings.iter().map(ToString::to_string).chain(of_rig).collect()
+}
+
+/// How the pair is rendered.
+#[derive(clap::Args)]
+pub struct MethodOptions {
+    /// How the second view is made.
+    #[arg(long, value_enum, default_value_t)]
+    method: Method,
+    /// Which candidates of the second view a ray verifies [default: all for buffer and atomic, else none]
+    #[arg(long, value_enum)]
+    verify: Option<Verify>,
+    /// How the second view knows which lights a point sees.
+    #[arg(long, value_enum, default_value_t)]
+    shadows: Shadows,
+    /// Which view is traced; the other one is made from it.
+    #[arg(long, value_enum, default_value_t)]
+    first: First,
+    /// Slots per pixel of the method `buffer`: `lemma` (as many as the nearest surface asks for), `adaptive` (as many
+    /// as the traced view asks for) or a number.
+    #[arg(long, value_name = "SLOTS", default_value = "lemma")]
+    depth: Depth,
+}
+
+impl MethodOptions {
+    /// The same as the library wants it, if it goes together.
+    pub fn stereo(&self) -> Result<StereoOptions, Failure> {
+        let Self { method, verify, shadows, first, depth } = *self;
+        let options = StereoOptions { method, verify, shadows, first, depth };
+        options.check().usage()?;
+        Ok(options)
+    }
 }
 
 /// Where to render, and with which arithmetic.

@@ -1,13 +1,13 @@
 //! `parallax render`.
 
 use super::failure::{Blame, Failure};
-use super::options::{DeviceOptions, Loaded, SceneOptions};
+use super::options::{DeviceOptions, Loaded, MethodOptions, SceneOptions};
 use super::progress::Progress;
 use super::report::{self, JsonOption, duration, grouped};
 use parallax::backend::{self, Backend};
 use parallax::build::Quality;
 use parallax::output::{self, Format};
-use parallax::render::{self, Method, RayTotals, SceneData, StageTime};
+use parallax::render::{self, RayTotals, SceneData, StageTime};
 use serde::Serialize;
 use std::fmt;
 use std::path::PathBuf;
@@ -30,9 +30,8 @@ and normal); NAME_left.png, NAME_right.png, NAME_anaglyph.png and NAME_side-by-s
 pub struct Options {
     #[command(flatten)]
     scene: SceneOptions,
-    /// How the second view is made.
-    #[arg(long, value_enum, default_value_t)]
-    method: Method,
+    #[command(flatten)]
+    method: MethodOptions,
     #[command(flatten)]
     device: DeviceOptions,
     /// Which PNG files to write.
@@ -72,6 +71,7 @@ struct Report {
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     let started = Instant::now();
+    let stereo = options.method.stereo()?;
     let Loaded { scene, path, warnings, seconds } = options.scene.load()?;
     report::warn(&warnings);
     let mut stages = vec![StageTime { view: None, stage: "load", seconds }];
@@ -83,7 +83,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
 
     let mut progress = Progress::new();
     let mut tell = |done, total| progress.update("rendering", done, total);
-    let frame = render::render(&mut device, &data, options.method, &mut tell).work()?;
+    let frame = render::render(&mut device, &data, &stereo, &mut tell).work()?;
     drop(progress);
     stages.extend(frame.times);
 
@@ -100,7 +100,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
         width: scene.rig.width,
         height: scene.rig.height,
         interaxial_px: scene.rig.interaxial_px,
-        method: options.method.name(),
+        method: stereo.method.name(),
         backend: device.describe(),
         profile: selection.profile.name(),
         stages,

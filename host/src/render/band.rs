@@ -3,10 +3,12 @@
 use super::SceneData;
 use super::buffers::SceneBuffers;
 use super::renderer::Stages;
+use super::stereo::bounces;
+use super::stereo::second::Inferred;
 use crate::backend::{Backend, BackendError};
+use bytemuck::Zeroable;
 use kernel_api::Buffer;
 use parallax_kernels::{bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface};
-use parallax_shared::effects::Effects;
 use parallax_shared::layout::{self, Hit, RayCounts, View};
 use parallax_shared::shading::shadow;
 
@@ -74,62 +76,97 @@ impl Values {
         let bounced = self.bounced.iter().map(|bounced| &bounced.rays[..]);
         [&self.primary_rays[..], &self.shadow_rays].into_iter().chain(bounced)
     }
+
+    /// The same as a copy, for which no ray was traced.
+    pub(super) fn without_rays(&self) -> Self {
+        let mut copy = self.clone();
+        copy.primary_rays.fill(Zeroable::zeroed());
+        copy.shadow_rays.fill(Zeroable::zeroed());
+        copy.bounced.iter_mut().for_each(|bounced| bounced.rays.fill(Zeroable::zeroed()));
+        copy
+    }
 }
 
-/// The outputs of the passes over one band.
-#[derive(Clone, Copy)]
-pub(super) struct BandBuffers {
-    hits: Buffer<Hit>,
-    surfaces: Buffer<layout::Surface>,
-    shadow: Buffer<u32>,
-    local: Buffer<[f32; 4]>,
-    primary_rays: Buffer<RayCounts>,
-    shadow_rays: Buffer<RayCounts>,
-    bounced: Option<(Buffer<[f32; 4]>, Buffer<RayCounts>)>,
+/// Both views of a band.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pair {
+    /// The view that was traced first.
+    pub source: Values,
+    /// The other one.
+    pub second: Second,
 }
 
-impl BandBuffers {
-    /// Size of the largest element that a buffer has per pixel.
-    pub fn bytes_per_pixel(data: &SceneData) -> u32 {
-        (size_of::<layout::Surface>() as u32).max(4 * shadow::words(data.info.lights))
+/// The second view of a pair.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant)] // One per band.
+pub enum Second {
+    /// Traced like the first.
+    Traced(Values),
+    /// Made from the first.
+    Inferred(Inferred),
+}
+
+impl Second {
+    /// The linear colour that is seen.
+    pub fn colour(&self) -> &[[f32; 4]] {
+        match self {
+            Self::Traced(values) => values.colour(),
+            Self::Inferred(inferred) => inferred.colour(),
+        }
     }
 
-    /// Buffers for the band of `view`, poisoned: what no pass writes is found by whoever compares.
-    pub fn create<B: Backend>(backend: &mut B, data: &SceneData, view: &View) -> Result<Self, BackendError> {
-        let pixels = view.width as usize * view.rows as usize;
-        let bounces = data.effects.0 & Effects::REFLECTION.with(Effects::REFRACTION).0 != 0;
+    /// What each pixel shows.
+    pub fn hits(&self) -> &[Hit] {
+        match self {
+            Self::Traced(values) => &values.hits,
+            Self::Inferred(inferred) => &inferred.hits,
+        }
+    }
+
+    /// The rays that were traced, stage by stage.
+    pub fn rays(&self) -> Vec<&[RayCounts]> {
+        match self {
+            Self::Traced(values) => values.rays().collect(),
+            Self::Inferred(inferred) => inferred.rays().collect(),
+        }
+    }
+
+    /// What shading knows of it.
+    pub fn surfaces(&self) -> &[layout::Surface] {
+        match self {
+            Self::Traced(values) => &values.surfaces,
+            Self::Inferred(inferred) => &inferred.surfaces,
+        }
+    }
+}
+
+/// The outputs of the pass `bounce`.
+#[derive(Clone, Copy)]
+pub(super) struct BounceBuffers {
+    colours: Buffer<[f32; 4]>,
+    rays: Buffer<RayCounts>,
+}
+
+impl BounceBuffers {
+    pub fn create<B: Backend>(backend: &mut B, pixels: usize) -> Result<Self, BackendError> {
         Ok(Self {
-            hits: backend.create("hits", pixels)?,
-            surfaces: backend.create("surfaces", pixels)?,
-            shadow: backend.create("shadow bits", pixels * shadow::words(data.info.lights) as usize)?,
-            local: backend.create("local colours", pixels)?,
-            primary_rays: backend.create("primary rays", pixels)?,
-            shadow_rays: backend.create("shadow rays", pixels)?,
-            bounced: match bounces {
-                true => Some((backend.create("colours", pixels)?, backend.create("bounced rays", pixels)?)),
-                false => None,
-            },
+            colours: backend.create("colours", pixels)?,
+            rays: backend.create("bounced rays", pixels)?,
         })
     }
 
-    /// Runs the passes in order.
+    /// Adds reflection and refraction at `surfaces` to the colours `local`.
     pub fn run<B: Backend>(
         &self,
         data: &SceneData,
         scene: &SceneBuffers,
         view: View,
-        stages: &mut Stages<B>,
+        surfaces: Buffer<layout::Surface>,
+        local: Buffer<[f32; 4]>,
+        stages: &mut Stages<'_, '_, B>,
     ) -> Result<(), BackendError> {
-        let Self { hits, surfaces, shadow: seen, local, primary_rays, shadow_rays, bounced } = *self;
         let SceneBuffers { rows, triangles, records, texels } = *scene;
-        let (info, effects) = (data.info, data.effects.0);
-        stages.run(&Primary { view, info, rows, hits, counts: primary_rays }, &view)?;
-        stages.run(&Surface { view, info, triangles, records, hits, surfaces, effects }, &view)?;
-        let counts = shadow_rays;
-        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
-        let colours = local;
-        stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)?;
-        let Some((colours, counts)) = bounced else { return Ok(()) };
+        let (info, effects, colours, counts) = (data.info, data.effects.0, self.colours, self.rays);
         let bounce = Bounce {
             view,
             info,
@@ -146,14 +183,79 @@ impl BandBuffers {
         stages.run(&bounce, &view)
     }
 
+    pub fn read<B: Backend>(&self, backend: &mut B) -> Result<Bounced, BackendError> {
+        Ok(Bounced { colour: backend.read(self.colours)?, rays: backend.read(self.rays)? })
+    }
+
+    pub fn release<B: Backend>(self, backend: &mut B) {
+        backend.release(self.colours);
+        backend.release(self.rays);
+    }
+}
+
+/// The outputs of the passes over one band.
+#[derive(Clone, Copy)]
+pub(super) struct BandBuffers {
+    pub hits: Buffer<Hit>,
+    pub surfaces: Buffer<layout::Surface>,
+    pub shadow: Buffer<u32>,
+    pub local: Buffer<[f32; 4]>,
+    primary_rays: Buffer<RayCounts>,
+    shadow_rays: Buffer<RayCounts>,
+    bounced: Option<BounceBuffers>,
+}
+
+impl BandBuffers {
+    /// Size of the largest element that a buffer has per pixel.
+    pub fn bytes_per_pixel(data: &SceneData) -> u32 {
+        (size_of::<layout::Surface>() as u32).max(4 * shadow::words(data.info.lights))
+    }
+
+    /// Buffers for the band of `view`, poisoned: what no pass writes is found by whoever compares.
+    pub fn create<B: Backend>(backend: &mut B, data: &SceneData, view: &View) -> Result<Self, BackendError> {
+        let pixels = view.width as usize * view.rows as usize;
+        Ok(Self {
+            hits: backend.create("hits", pixels)?,
+            surfaces: backend.create("surfaces", pixels)?,
+            shadow: backend.create("shadow bits", pixels * shadow::words(data.info.lights) as usize)?,
+            local: backend.create("local colours", pixels)?,
+            primary_rays: backend.create("primary rays", pixels)?,
+            shadow_rays: backend.create("shadow rays", pixels)?,
+            bounced: bounces(data).then(|| BounceBuffers::create(backend, pixels)).transpose()?,
+        })
+    }
+
+    /// The colours that are seen.
+    pub fn colour(&self) -> Buffer<[f32; 4]> {
+        self.bounced.map_or(self.local, |bounced| bounced.colours)
+    }
+
+    /// Runs the passes in order.
+    pub fn run<B: Backend>(
+        &self,
+        data: &SceneData,
+        scene: &SceneBuffers,
+        view: View,
+        stages: &mut Stages<'_, '_, B>,
+    ) -> Result<(), BackendError> {
+        let Self { hits, surfaces, shadow: seen, local, primary_rays, shadow_rays, bounced } = *self;
+        let SceneBuffers { rows, triangles, records, texels } = *scene;
+        let (info, effects) = (data.info, data.effects.0);
+        stages.run(&Primary { view, info, rows, hits, counts: primary_rays }, &view)?;
+        stages.run(&Surface { view, info, triangles, records, hits, surfaces, effects }, &view)?;
+        let counts = shadow_rays;
+        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
+        let colours = local;
+        stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)?;
+        match bounced {
+            Some(bounced) => bounced.run(data, scene, view, surfaces, local, stages),
+            None => Ok(()),
+        }
+    }
+
     /// Everything that the passes have written.
     pub fn read<B: Backend>(&self, backend: &mut B, data: &SceneData) -> Result<Values, BackendError> {
-        let bounced = match self.bounced {
-            Some((colour, rays)) => {
-                Some(Bounced { colour: backend.read(colour)?, rays: backend.read(rays)? })
-            }
-            None => None,
-        };
+        let bounced = self.bounced.map(|bounced| bounced.read(backend)).transpose()?;
         Ok(Values {
             hits: backend.read(self.hits)?,
             surfaces: backend.read(self.surfaces)?,
@@ -174,10 +276,7 @@ impl BandBuffers {
         backend.release(self.local);
         backend.release(self.primary_rays);
         backend.release(self.shadow_rays);
-        if let Some((colour, rays)) = self.bounced {
-            backend.release(colour);
-            backend.release(rays);
-        }
+        self.bounced.into_iter().for_each(|bounced| bounced.release(backend));
     }
 }
 

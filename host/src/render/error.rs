@@ -25,6 +25,14 @@ pub enum RenderError {
         /// How many there are.
         count: usize,
     },
+    /// Options that do not go together.
+    #[error("the method `{method}` {what}")]
+    Options {
+        /// The method's name.
+        method: &'static str,
+        /// What is wrong with it.
+        what: &'static str,
+    },
     /// Coordinates too large, or too far apart, for 32 bit floats.
     #[error("{what} is {distance:e} world units away, too far for a scene of size {extent:e}")]
     TooFar {

@@ -1,10 +1,13 @@
 //! A whole frame.
 
-use super::band::{Band, EYES, Values};
-use super::{Method, RayTotals, RenderError, Renderer, SceneData, StageTime, StereoImages, ViewImages};
+use super::band::Band;
+use super::stereo::Plan;
+use super::{
+    RayTotals, RenderError, Renderer, SceneData, StageTime, StereoImages, StereoOptions, ViewImages,
+};
 use crate::backend::Backend;
 use parallax_shared::camera;
-use parallax_shared::layout::{NONE, View};
+use parallax_shared::layout::{Hit, NONE, Surface, View};
 
 /// The images of a scene, and what they took.
 #[derive(Clone, Debug)]
@@ -17,33 +20,34 @@ pub struct Frame {
     pub times: Vec<StageTime>,
 }
 
-/// Renders the scene on `backend`, band by band. `progress` is told after each pass over a band how many of
-/// how many rows are done (those of both views count).
+/// Renders the scene on `backend`, band by band. `progress` is told after each band how many of how many rows
+/// are done.
 ///
 /// # Errors
-/// When the backend fails or there is not enough memory for the images.
+/// When options do not go together, the backend fails, or there is not enough memory for the images.
 pub fn render<B: Backend>(
     backend: &mut B,
     data: &SceneData,
-    method: Method,
+    options: &StereoOptions,
     progress: &mut dyn FnMut(u64, u64),
 ) -> Result<Frame, RenderError> {
-    let Method::Naive = method;
+    let plan = Plan::new(data, options, true)?;
     let mut images = allocate(data)?;
     let mut rays = RayTotals::default();
     let mut renderer = Renderer::new(backend, data)?;
     let [width, height] = [images.width, images.height];
-    let bands: Vec<_> = Band::of_picture(height, renderer.suggested_rows()).collect();
-    let total = u64::from(height) * EYES.len() as u64;
-    let mut done = 0;
+    let bands: Vec<_> = Band::of_picture(height, renderer.suggested_rows(&plan)).collect();
+    let total = u64::from(height);
+    let [first, other] = options.first.eyes();
     for band in bands {
-        for (eye, image) in images.views.iter_mut().enumerate() {
-            let values = renderer.band(eye, band)?;
-            values.rays().for_each(|stage| rays += stage);
-            append(image, &values, &data.views[eye], band, data.scale);
-            done += u64::from(band.rows);
-            progress(done, total);
-        }
+        let pair = renderer.pair(&plan, band)?;
+        let (source, second) = (&pair.source, &pair.second);
+        source.rays().chain(second.rays()).for_each(|stage| rays += stage);
+        let of_source = Pixels { colour: source.colour(), hits: &source.hits, surfaces: &source.surfaces };
+        let of_second = Pixels { colour: second.colour(), hits: second.hits(), surfaces: second.surfaces() };
+        append(&mut images.views[first], of_source, &data.views[first], band, data.scale);
+        append(&mut images.views[other], of_second, &data.views[other], band, data.scale);
+        progress(u64::from(band.first_row + band.rows), total);
     }
     debug_assert_eq!(images.views[0].t.len(), width as usize * height as usize);
     Ok(Frame { images, rays, times: renderer.finish() })
@@ -59,14 +63,21 @@ fn allocate(data: &SceneData) -> Result<StereoImages, RenderError> {
     Ok(images)
 }
 
+/// What images need of a band.
+struct Pixels<'a> {
+    colour: &'a [[f32; 4]],
+    hits: &'a [Hit],
+    surfaces: &'a [Surface],
+}
+
 /// Puts the values of a band, the next one, behind those that the images have. Distances become world units.
-fn append(image: &mut ViewImages, values: &Values, view: &View, band: Band, scale: f32) {
-    image.colour.extend(values.colour().iter().map(|[red, green, blue, _]| [*red, *green, *blue]));
+fn append(image: &mut ViewImages, values: Pixels<'_>, view: &View, band: Band, scale: f32) {
+    image.colour.extend(values.colour.iter().map(|[red, green, blue, _]| [*red, *green, *blue]));
     image.prim_id.extend(values.hits.iter().map(|hit| hit.prim_id));
     image.normal.extend(values.surfaces.iter().map(|surface| surface.shading_normal));
     image.disparity.extend(values.surfaces.iter().map(|surface| surface.disparity));
     let columns = view.width;
-    for (index, hit) in (0_u32..).zip(&values.hits) {
+    for (index, hit) in (0_u32..).zip(values.hits) {
         let (x, y) = (index % columns, band.first_row + index / columns);
         image.t.push(if hit.prim_id == NONE { f32::INFINITY } else { distance(view, x, y, hit.t, scale) });
     }

@@ -14,7 +14,7 @@
 //!     let scene = parallax::scene::load("scenes/default.toml".as_ref())?;
 //!     let data = SceneData::new(&scene, Quality::Full)?;
 //!     let mut device = select(&Selection::default())?;
-//!     let frame = render(&mut device, &data, Method::Naive, &mut |_, _| {})?;
+//!     let frame = render(&mut device, &data, &Method::Naive.into(), &mut |_, _| {})?;
 //!     println!("{} rays", frame.rays.all());
 //!     Ok(())
 //! }
@@ -38,7 +38,7 @@ pub use buffers::SceneBuffers;
 pub use error::RenderError;
 pub use frame::{Frame, render};
 pub use images::{StereoImages, ViewImages};
-pub use method::Method;
+pub use method::{Depth, First, Method, Shadows, StereoOptions, Verify};
 pub use overrides::{MAX_LIGHTS, MAX_PIXELS, Overrides};
 pub use rays::RayTotals;
 pub use renderer::Renderer;

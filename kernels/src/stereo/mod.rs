@@ -1,8 +1,12 @@
 //! The second view from the first.
 
 pub mod copy;
+pub mod gloss;
+pub mod inherit;
+pub mod light;
 pub mod scanline;
 pub mod scanline_rtl;
+pub mod settle;
 pub mod shifts;
 pub mod slots;
 pub mod splat;

@@ -5,7 +5,7 @@ use crate::effects::Effects;
 use crate::layout::{BACK, Hit, Material, NONE, Ray, RayCounts, Surface};
 use crate::math::{max, min, vector};
 use crate::scene::SceneView;
-use crate::traversal::{closest_hit, occluded};
+use crate::traversal::closest_hit;
 use glam::Vec3;
 use kernel_api::Stack;
 
@@ -77,13 +77,7 @@ fn at_hit(
     let material = light::material_of(scene, &seen);
     spawn(scene, &seen, &material, dir, weight, depth, pending, counts);
     let local =
-        light::local(scene, &seen, &material, dir, |_, light| match light::shadow_ray(&seen, light) {
-            Some(ray) => {
-                counts.shadow += 1;
-                !occluded(scene.rows, &ray, scene.info.extent)
-            }
-            None => false,
-        });
+        light::local(scene, &seen, &material, dir, |_, light| light::is_seen(scene, &seen, light, counts));
     local.diffuse + local.specular
 }
 

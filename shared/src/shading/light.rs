@@ -5,9 +5,10 @@
 
 use super::{phong, surface, texture};
 use crate::effects::Effects;
-use crate::layout::{BACK, Light, Material, Ray, Surface};
+use crate::layout::{BACK, Light, Material, Ray, RayCounts, Surface};
 use crate::math::vector;
 use crate::scene::SceneView;
+use crate::traversal::occluded;
 use glam::Vec3;
 
 /// Light that a surface sends to the viewer by itself, in parts: what is the same for every viewer, and what is not.
@@ -42,6 +43,18 @@ pub fn shadow_ray(surface: &Surface, light: &Light) -> Option<Ray> {
     let origin = surface::leave(surface, towards);
     let ray = Ray { origin: origin.to_array(), t_min: 0.0, dir: (position - origin).to_array(), t_max: 1.0 };
     (faces & shows).then_some(ray)
+}
+
+/// Whether `surface` faces the light and nothing is between them; a ray that this takes is counted.
+#[inline(always)]
+pub fn is_seen(scene: &SceneView<'_>, surface: &Surface, light: &Light, counts: &mut RayCounts) -> bool {
+    match shadow_ray(surface, light) {
+        Some(ray) => {
+            counts.shadow += 1;
+            !occluded(scene.rows, &ray, scene.info.extent)
+        }
+        None => false,
+    }
 }
 
 /// What `surface` of `material` sends against `dir`, the unit direction of the ray that sees it. `sees` says

@@ -40,6 +40,21 @@ pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, 
     counts
 }
 
+/// The colour that a primary ray in direction `dir` sees at `surface`, without reflection and refraction, and the rays to lights that
+/// it took: what [`trace`] and [`shade`] do, bit for bit, without anything kept in between.
+#[inline(always)]
+pub fn direct(scene: &SceneView<'_>, surface: &Surface, dir: Vec3) -> (Vec3, RayCounts) {
+    let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
+    if surface.prim_id == NONE {
+        return (sky::colour(scene, dir), counts);
+    }
+    let material = light::material_of(scene, surface);
+    let local = light::local(scene, surface, &material, vector::normalize(dir), |_, light| {
+        light::is_seen(scene, surface, light, &mut counts)
+    });
+    (local.diffuse + local.specular, counts)
+}
+
 /// The colour that a primary ray in direction `dir` (any length) sees at `surface`, without reflection and
 /// refraction; the sky's colour at a miss. `seen` gives the words that [`trace`] has put.
 #[inline(always)]
