@@ -1,12 +1,17 @@
-//! Traces a fixed set of rays for one instruction set, in one function that an instruction counter can be pointed at:
-//! `instructions SSE2|AVX2 nearest|any`. Says how many rays, or that the machine lacks the instruction set.
+//! Traces a fixed set of rays, or lets the pixels of a fixed view land in another one, for one instruction set, in one function that an
+//! instruction counter can be pointed at: `instructions SSE2|AVX2 nearest|any|splat`. Says how many rays or pixels, or that the machine
+//! lacks the instruction set.
 
 use parallax::backend::cpu::instruction_set::{InstructionSet, Task};
 use parallax::build::{Bvh, Quality, build};
-use parallax_shared::layout::Ray;
+use parallax_shared::layout::{Hit, Ray, Reprojection};
+use parallax_shared::stereo::run::{RUN, Run};
+use parallax_shared::stereo::splat::splat;
 use parallax_shared::traversal::{closest_hit, occluded};
 use parallax_tests::meshes::{icosphere, rays_from_inside, rays_from_outside};
+use parallax_tests::tables::reprojection;
 use std::hint::black_box;
+use std::sync::atomic::AtomicU32;
 
 struct Nearest<'a>(&'a Bvh, &'a [Ray]);
 struct Any<'a>(&'a Bvh, &'a [Ray]);
@@ -33,26 +38,67 @@ impl Task for Any<'_> {
     }
 }
 
+struct Splat<'a>(&'a Reprojection, &'a [Hit], &'a [AtomicU32], &'a [AtomicU32]);
+
+impl Task for Splat<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self(p, hits, candidates, gaps) = self;
+        for row in 0..p.rows {
+            for number in 0..p.width.div_ceil(RUN) {
+                splat(&Run::new(p, number, row), hits, candidates, gaps);
+            }
+        }
+    }
+}
+
 /// What is counted.
 #[inline(never)]
-fn counted_traversal(set: InstructionSet, any: bool, bvh: &Bvh, rays: &[Ray]) {
-    if any { set.run(Any(bvh, rays)) } else { set.run(Nearest(bvh, rays)) }
+fn counted_task<T: Task>(set: InstructionSet, task: T) -> T::Output {
+    set.run(task)
+}
+
+/// Traces rays from outside and inside of a sphere; returns how many.
+fn trace(set: InstructionSet, any: bool) -> usize {
+    let mesh = icosphere(5, 1.0, [0.0; 3]);
+    let bvh = build(&mesh.triangles, &[], &[], Quality::Full).expect("a sphere can be built");
+    let mut rays = rays_from_outside(&mesh, 10_000, 1);
+    rays.extend(rays_from_inside(&mesh, 10_000, 2));
+    if any {
+        counted_task(set, Any(&bvh, &rays))
+    } else {
+        counted_task(set, Nearest(&bvh, &rays))
+    }
+    rays.len()
+}
+
+/// Lets the pixels of a disc before a floor and the sky land; returns how many.
+fn reproject(set: InstructionSet) -> usize {
+    let (width, rows) = (600, 100);
+    let t = |x: u32, row: u32| match (x.abs_diff(300), row) {
+        (0..150, _) => 0.8 + x.abs_diff(300) as f32 * 0.001,
+        (_, 0..50) => f32::INFINITY,
+        _ => 1.0 + 300.0 / row as f32,
+    };
+    let hits: Vec<Hit> =
+        (0..width * rows).map(|pixel| Hit { t: t(pixel % width, pixel / width), prim_id: 0 }).collect();
+    let table = || hits.iter().map(|_| AtomicU32::new(0)).collect::<Vec<_>>();
+    counted_task(set, Splat(&reprojection(width, rows, 15.0), &hits, &table(), &table()));
+    hits.len()
 }
 
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [set, query] = arguments.as_slice() else {
-        eprintln!("usage: instructions SSE2|AVX2 nearest|any");
+        eprintln!("usage: instructions SSE2|AVX2 nearest|any|splat");
         std::process::exit(2);
     };
     let Some(set) = InstructionSet::available().into_iter().find(|available| available.name() == set) else {
         println!("unavailable");
         return;
     };
-    let mesh = icosphere(5, 1.0, [0.0; 3]);
-    let bvh = build(&mesh.triangles, &[], &[], Quality::Full).expect("a sphere can be built");
-    let mut rays = rays_from_outside(&mesh, 10_000, 1);
-    rays.extend(rays_from_inside(&mesh, 10_000, 2));
-    counted_traversal(set, query == "any", &bvh, &rays);
-    println!("rays {}", rays.len());
+    let count = if query == "splat" { reproject(set) } else { trace(set, query == "any") };
+    println!("count {count}");
 }
