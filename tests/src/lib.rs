@@ -11,4 +11,5 @@ pub mod reference;
 pub mod scenes;
 pub mod small_scenes;
 pub mod stage;
+pub mod stereo;
 pub mod tables;

@@ -2,131 +2,136 @@
 //!
 //! In front of the zero-parallax plane the second eye sees beyond the last column of the source (001 fig. 14, 003 §5.5.1). What is
 //! there may hide candidates that nothing else makes questionable. The tables cannot know: a strip of columns has to be verified.
+//!
+//! A box alone says little of a floor that runs below the eye. So the part of space in question is cut into slices of depth, and the
+//! nearest slice counts whose own box meets one of the structure's packs.
 
 use crate::render::SceneData;
 use glam::DVec3;
 use parallax_shared::layout::{Row, View};
 use parallax_shared::traversal::rows::{LANES, LEAF, LINKS};
 
-/// Nothing is nearer than this share of the distance to the zero-parallax plane, for the width of the strip: beyond it the whole
-/// picture is verified anyway.
+/// Where the first slice begins, as a share of the distance to the zero-parallax plane. What is nearer than this has disparities of
+/// more than 63 times the distance between the eyes.
 const NEAREST: f64 = 1.0 / 64.0;
+
+/// Where the last slice ends.
+const FARTHEST: f64 = 64.0;
+
+/// A slice is so many times as far away at its end as at its beginning: the fourth root of 2.
+const STEP: f64 = 1.189_207_115_002_721;
 
 /// By how much boxes are grown, of the scene's extent: the traversal pads them too.
 const PADDING: f64 = 32.0 * f32::EPSILON as f64;
 
-/// A half-space: where `normal · (p − eye) ≥ 0`.
+/// A box.
 #[derive(Clone, Copy)]
-struct HalfSpace {
-    eye: DVec3,
-    normal: DVec3,
+struct Bounds {
+    low: DVec3,
+    high: DVec3,
 }
 
-impl HalfSpace {
-    /// Where columns are at least `x`.
-    fn right_of(view: &View, x: f64) -> Self {
-        Self::beyond(view, vector(view.step_x), x)
+impl Bounds {
+    fn meets(&self, other: &Self) -> bool {
+        self.low.cmple(other.high).all() && other.low.cmple(self.high).all()
     }
 
-    /// Where rows are at least `y`.
-    fn below(view: &View, y: f64) -> Self {
-        Self::beyond(view, vector(view.step_y), y)
+    fn grown(self, by: f64) -> Self {
+        Self { low: self.low - by, high: self.high + by }
     }
 
-    /// A point at `t` has the coordinate (p · step / t − corner · step) / step², and t is p · forward / d: for t > 0 it is at least
-    /// `least` where p · (step − forward / d (corner · step + least · step²)) ≥ 0.
-    fn beyond(view: &View, step: DVec3, least: f64) -> Self {
-        let offset = vector(view.corner).dot(step) + least * step.length_squared();
-        let normal = step - vector(view.forward) * (offset / f64::from(view.distance));
-        Self { eye: vector(view.eye), normal }
+    /// Of the part of a view's columns between two values of `t`.
+    fn of_slice(view: &View, [near, far]: [f64; 2], columns: [f64; 2]) -> Self {
+        let rows = [-0.5, f64::from(view.height) - 0.5];
+        let none = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+        let ends = [near, far].into_iter().flat_map(|t| columns.map(|x| (t, x)));
+        ends.flat_map(|(t, x)| rows.map(|y| point(view, t, x, y)))
+            .fold(none, |all, p| Self { low: all.low.min(p), high: all.high.max(p) })
     }
+}
 
-    fn opposite(self) -> Self {
-        Self { normal: -self.normal, ..self }
-    }
-
-    /// Whether a point of the box may lie in it.
-    fn meets(&self, low: DVec3, high: DVec3) -> bool {
-        let farthest = DVec3::select(self.normal.cmpge(DVec3::ZERO), high, low);
-        self.normal.dot(farthest - self.eye) >= 0.0
-    }
+/// The point at `t` of the ray through a place of the picture.
+fn point(view: &View, t: f64, x: f64, y: f64) -> DVec3 {
+    vector(view.eye) + (vector(view.corner) + vector(view.step_x) * x + vector(view.step_y) * y) * t
 }
 
 fn vector(v: [f32; 3]) -> DVec3 {
     DVec3::from_array(v.map(f64::from))
 }
 
-/// The picture of a view.
-fn frustum(view: &View) -> [HalfSpace; 4] {
-    let (width, height) = (f64::from(view.width), f64::from(view.height));
-    [
-        HalfSpace::right_of(view, -0.5),
-        HalfSpace::right_of(view, width - 0.5).opposite(),
-        HalfSpace::below(view, -0.5),
-        HalfSpace::below(view, height - 0.5).opposite(),
-    ]
+/// The smallest `t` below `end` at which something may be, within the columns that `columns` gives for a `t`: the beginning of a
+/// slice. Columns must be widest where `t` is smallest.
+fn nearest_within(
+    data: &SceneData,
+    view: &View,
+    end: f64,
+    columns: impl Fn(f64) -> Option<[f64; 2]>,
+) -> Option<f64> {
+    let padding = PADDING * (f64::from(data.info.extent) + vector(view.eye).abs().max_element());
+    let slices = std::iter::successors(Some(NEAREST), |t| Some(t * STEP)).take_while(|t| *t < end);
+    slices.into_iter().find(|&near| {
+        columns(near).is_some_and(|columns| {
+            let slice = Bounds::of_slice(view, [near, (near * STEP).min(end)], columns);
+            meets_a_pack(&data.rows, &slice.grown(padding))
+        })
+    })
 }
 
-/// The smallest `t` that any primitive in front of the eye and within the half-spaces may have, by the boxes of packs.
-fn nearest_within(data: &SceneData, view: &View, spaces: &[HalfSpace]) -> Option<f64> {
-    let eye = vector(view.eye);
-    let forward = vector(view.forward) / f64::from(view.distance);
-    let padding = DVec3::splat(PADDING * (f64::from(data.info.extent) + eye.abs().max_element()));
-    let (mut todo, mut nearest) = (vec![0], None::<f64>);
+/// Whether the box of a pack meets `bounds`.
+fn meets_a_pack(rows: &[Row], bounds: &Bounds) -> bool {
+    let mut todo = vec![0];
     while let Some(node) = todo.pop() {
-        for (low, high, link) in children(&data.rows, node) {
-            let (low, high) = (low - padding, high + padding);
-            let (near, far) = (
-                DVec3::select(forward.cmpge(DVec3::ZERO), low, high),
-                DVec3::select(forward.cmpge(DVec3::ZERO), high, low),
-            );
-            let (t, end) = (forward.dot(near - eye), forward.dot(far - eye));
-            let better = nearest.is_none_or(|nearest| t < nearest);
-            if end <= 0.0 || !better || !spaces.iter().all(|space| space.meets(low, high)) {
-                continue;
-            }
-            match link & LEAF {
-                0 => todo.push(link),
-                _ => nearest = Some(t.max(0.0)),
+        for (child, link) in children(rows, node) {
+            match (child.meets(bounds), link & LEAF) {
+                (false, _) => {}
+                (true, 0) => todo.push(link),
+                (true, _) => return true,
             }
         }
     }
-    nearest
+    false
 }
 
 /// The boxes and links of the children of a node.
-fn children(rows: &[Row], node: u32) -> impl Iterator<Item = (DVec3, DVec3, u32)> {
+fn children(rows: &[Row], node: u32) -> impl Iterator<Item = (Bounds, u32)> {
     let at = move |row: usize, lane: usize| rows[node as usize + row].0[lane];
     let float = move |row, lane| f64::from(f32::from_bits(at(row, lane)));
-    let corner =
-        move |first, lane| DVec3::new(float(first, lane), float(first + 1, lane), float(first + 2, lane));
-    let child = move |lane| (corner(0, lane), corner(3, lane), at(LINKS, lane));
-    // A lane without a child has its smallest corner at +∞.
-    (0..LANES).map(child).filter(|(low, high, _)| low.cmple(*high).all())
+    let corner = move |row, lane| DVec3::new(float(row, lane), float(row + 1, lane), float(row + 2, lane));
+    // A lane without a child has a box that meets nothing.
+    (0..LANES)
+        .map(move |lane| (Bounds { low: corner(0, lane), high: corner(3, lane) }, at(LINKS, lane)))
+        .filter(|(bounds, _)| bounds.low.cmple(bounds.high).all())
 }
 
-/// The `t` of the nearest box that the eye `eye` may see: 1 / r of Lemma 1.
+/// A `t` that nothing which the eye `eye` sees is in front of: 1 / r of Lemma 1. None without anything.
 pub fn nearest(data: &SceneData, eye: usize) -> Option<f32> {
     let view = &data.views[eye];
-    nearest_within(data, view, &frustum(view)).map(|t| t as f32)
+    let columns = [-0.5, f64::from(view.width) - 0.5];
+    let found = nearest_within(data, view, FARTHEST, |_| Some(columns));
+    // Nearer than the first slice: there is no bound worth having.
+    let at_eye = || meets_a_pack(&data.rows, &Bounds::of_slice(view, [0.0, NEAREST], columns));
+    match found {
+        _ if at_eye() => Some(0.0),
+        Some(t) => Some(t as f32),
+        None => (data.primitives() > 0).then_some(FARTHEST as f32),
+    }
 }
 
 /// From which column on (mirrored if the right eye is the source) candidates are verified whatever the options say; the width if
 /// nothing lies where only the second eye sees it, in front of the plane.
 pub fn checked_from(data: &SceneData, source: usize) -> u32 {
-    let (from, to) = (&data.views[source], &data.views[1 - source]);
-    let interaxial_px = f64::from(from.interaxial_px).abs();
-    let last = f64::from(from.width) - 1.0;
-    let beyond = match source {
-        0 => HalfSpace::right_of(from, last),
-        _ => HalfSpace::right_of(from, 0.0).opposite(),
+    let view = &data.views[1 - source];
+    let interaxial_px = f64::from(view.interaxial_px).abs();
+    let last = f64::from(view.width) - 1.0;
+    // Beyond the source's last column: as many columns as the disparity there has pixels.
+    let strip = |t: f64| interaxial_px * (1.0 / t - 1.0);
+    let columns = |t: f64| {
+        let seen = (last - strip(t)).max(-0.5);
+        (seen < last + 0.5).then_some(match source {
+            0 => [seen, last + 0.5],
+            _ => [-0.5, last - seen],
+        })
     };
-    let [left, right, above, below] = frustum(to);
-    match nearest_within(data, to, &[left, right, above, below, beyond]) {
-        Some(t) if t < 1.0 => {
-            let strip = (interaxial_px * (1.0 / t.max(NEAREST) - 1.0)).ceil() + 2.0;
-            (f64::from(from.width) - strip).max(0.0) as u32
-        }
-        _ => from.width,
-    }
+    let found = (interaxial_px > 0.0).then(|| nearest_within(data, view, 1.0, columns)).flatten();
+    found.map_or(view.width, |t| (f64::from(view.width) - strip(t).ceil() - 2.0).max(0.0) as u32)
 }

@@ -1,0 +1,63 @@
+//! Whole pictures as one band, by any method.
+
+use parallax::backend::{Backend, Cpu};
+use parallax::render::band::{Band, Pair, Second, Values};
+use parallax::render::stereo::Plan;
+use parallax::render::stereo::second::Inferred;
+use parallax::render::{First, Method, Renderer, SceneData, StereoOptions, Verify};
+
+/// The methods that make the second view from the first, that of the lower bound aside.
+pub const REPROJECTING: [Method; 7] = [
+    Method::Scanline,
+    Method::ScanlineRtl,
+    Method::EsIsler,
+    Method::Gather1,
+    Method::Gather2,
+    Method::Buffer,
+    Method::Atomic,
+];
+
+/// Both orders of the eyes.
+pub const ORDERS: [First; 2] = [First::Left, First::Right];
+
+/// `method` with this verification.
+pub fn verified(method: Method, verify: Verify, first: First) -> StereoOptions {
+    StereoOptions { verify: Some(verify), first, ..method.into() }
+}
+
+/// Both views on `backend`.
+///
+/// # Panics
+/// When the backend fails.
+pub fn pair_on<B: Backend>(backend: &mut B, data: &SceneData, options: &StereoOptions) -> Pair {
+    let plan = Plan::new(data, options, true).expect("options that go together");
+    let band = Band { first_row: 0, rows: data.views[0].height };
+    Renderer::new(backend, data).and_then(|mut renderer| renderer.pair(&plan, band)).expect("a pair")
+}
+
+/// Both views on the CPU.
+pub fn pair(data: &SceneData, options: &StereoOptions) -> Pair {
+    pair_on(&mut Cpu::new(0).expect("a CPU"), data, options)
+}
+
+/// The second view, which was made from the first.
+///
+/// # Panics
+/// When it was traced.
+pub fn inferred(pair: Pair) -> Inferred {
+    match pair.second {
+        Second::Inferred(inferred) => inferred,
+        Second::Traced(_) => panic!("the second view was traced"),
+    }
+}
+
+/// The second view, traced like the first.
+///
+/// # Panics
+/// When it was not.
+pub fn naive(data: &SceneData, first: First) -> Values {
+    match pair(data, &StereoOptions { first, ..StereoOptions::default() }).second {
+        Second::Traced(values) => values,
+        Second::Inferred(_) => panic!("naive infers nothing"),
+    }
+}

@@ -1,0 +1,199 @@
+//! The methods that make the second view from the first, as wholes: they agree, and what they show is what there is.
+
+use parallax::render::stereo::second::Inferred;
+use parallax::render::{Depth, First, Method, SceneData, Shadows, StereoOptions, Verify};
+use parallax_shared::camera::disparity_px;
+use parallax_shared::layout::Hit;
+use parallax_shared::stereo::source::{self, BAD, GAP, HOLE, is_reused};
+use parallax_tests::scenes::{data_at, load_at, name, root, shipped};
+use parallax_tests::stereo::{ORDERS, REPROJECTING, inferred, naive, pair, verified};
+
+const SIZE: [u32; 2] = [120, 80];
+
+fn scene(name: &str) -> SceneData {
+    data_at(&root().join("scenes").join(name).with_extension("toml"), SIZE).expect("a scene that ships whole")
+}
+
+/// The scene with its eyes so many pixels apart.
+fn apart(name: &str, interaxial_px: f32) -> SceneData {
+    let path = root().join("scenes").join(name).with_extension("toml");
+    let mut scene = load_at(&path, SIZE).expect("a scene that ships whole");
+    scene.rig.interaxial_px = interaxial_px;
+    SceneData::new(&scene, Default::default()).expect("a scene that renders")
+}
+
+fn words<T: bytemuck::Pod>(values: &[T]) -> &[u32] {
+    bytemuck::cast_slice(values)
+}
+
+fn assert_same(a: &Inferred, b: &Inferred, what: &str) {
+    assert_eq!((&a.candidates, &a.gaps), (&b.candidates, &b.gaps), "{what}");
+    assert_eq!(a.source, b.source, "{what}");
+    assert!(words(&a.hits) == words(&b.hits) && words(&a.surfaces) == words(&b.surfaces), "{what}");
+    assert!(words(a.colour()) == words(b.colour()), "{what}");
+}
+
+#[test]
+fn all_methods_give_the_same_pair() {
+    for name in ["default", "spheres", "whitted", "cornell", "tree"] {
+        let data = scene(name);
+        for (first, verify) in ORDERS.into_iter().zip([Verify::None, Verify::Edges]) {
+            let one = inferred(pair(&data, &verified(Method::Scanline, verify, first)));
+            for method in REPROJECTING {
+                let other = inferred(pair(&data, &verified(method, verify, first)));
+                assert_same(&one, &other, &format!("{name}, {first:?}, {verify:?}, {}", method.name()));
+            }
+            for depth in [Depth::Adaptive, Depth::Fixed(3.try_into().unwrap())] {
+                let options = StereoOptions { depth, ..verified(Method::Buffer, verify, first) };
+                assert_same(&one, &inferred(pair(&data, &options)), &format!("{name}, {depth:?}"));
+            }
+        }
+    }
+}
+
+/// How many pixels hide something that is nearer by more than a pixel of disparity.
+fn bad_pixels(data: &SceneData, shown: &[Hit], naive: &[Hit]) -> usize {
+    let disparity = |hit: &Hit| disparity_px(data.views[0].interaxial_px, hit.t);
+    shown.iter().zip(naive).filter(|(shown, naive)| disparity(naive) < disparity(shown) - 1.001).count()
+}
+
+#[test]
+fn full_verification_leaves_no_bad_pixel_and_without_there_are_some() {
+    let (mut without, mut edges) = (0, 0);
+    for path in shipped() {
+        let Some(data) = data_at(&path, SIZE) else { continue };
+        for first in ORDERS {
+            let truth = naive(&data, first);
+            let bad = |verify| {
+                let shown = inferred(pair(&data, &verified(Method::Atomic, verify, first)));
+                bad_pixels(&data, &shown.hits, &truth.hits)
+            };
+            assert_eq!(bad(Verify::All), 0, "{}, {first:?}", name(&path));
+            without += bad(Verify::None);
+            edges += bad(Verify::Edges);
+        }
+    }
+    assert!(without > 0, "nothing is hidden by nearer things: this test cannot fail");
+    println!("bad pixels: {without} without verification, {edges} with that of edges");
+}
+
+#[test]
+fn traced_pixels_are_those_of_the_naive_method() {
+    let mut kinds = [0; 5];
+    for name in ["default", "spheres", "whitted", "lattice"] {
+        let data = scene(name);
+        for first in ORDERS {
+            let truth = naive(&data, first);
+            for verify in [Verify::None, Verify::All] {
+                let shown = inferred(pair(&data, &verified(Method::Atomic, verify, first)));
+                for (i, &word) in shown.source.iter().enumerate() {
+                    kinds[source::kind(word) as usize] += 1;
+                    if !is_reused(word) {
+                        assert_eq!(words(&shown.hits[i..=i]), words(&truth.hits[i..=i]), "{name}, pixel {i}");
+                        assert_eq!(words(&shown.surfaces[i..=i]), words(&truth.surfaces[i..=i]));
+                        assert_eq!(
+                            words(&shown.local[i..=i]),
+                            words(&truth.local[i..=i]),
+                            "{name}, pixel {i}"
+                        );
+                        assert_eq!(shown.shadow_rays[i], truth.shadow_rays[i]);
+                    }
+                }
+            }
+        }
+    }
+    assert!(kinds.iter().all(|&count| count > 0), "a kind of pixel that is not looked at: {kinds:?}");
+}
+
+#[test]
+fn without_a_distance_between_the_eyes_both_views_are_one() {
+    for name in ["default", "whitted", "spheres"] {
+        let data = apart(name, 0.0);
+        let truth = naive(&data, First::Left);
+        for (method, shadows) in
+            REPROJECTING.into_iter().zip([Shadows::Reuse, Shadows::Trace].into_iter().cycle())
+        {
+            let options = StereoOptions { shadows, ..verified(method, Verify::All, First::Left) };
+            let shown = inferred(pair(&data, &options));
+            assert!(shown.source.iter().all(|&word| is_reused(word)), "{name}: something was traced");
+            assert!(words(shown.colour()) == words(truth.colour()), "{name}, {}", method.name());
+        }
+    }
+}
+
+#[test]
+fn a_distance_wider_than_the_picture_leaves_little_to_reuse() {
+    let data = apart("spheres", 5.0 * SIZE[0] as f32);
+    for verify in [Verify::None, Verify::All] {
+        let shown = inferred(pair(&data, &verified(Method::Atomic, verify, First::Left)));
+        let traced = shown.source.iter().filter(|&&word| !is_reused(word)).count();
+        assert!(2 * traced > shown.source.len(), "{traced}");
+        let truth = naive(&data, First::Left);
+        let limit = if verify == Verify::All { 0 } else { shown.source.len() / 50 };
+        assert!(bad_pixels(&data, &shown.hits, &truth.hits) <= limit);
+    }
+}
+
+/// A wall that shines: copying its highlight would put it where the first eye sees it.
+#[test]
+fn highlights_are_those_of_the_second_eye() {
+    let data = scene("default");
+    let truth = naive(&data, First::Left);
+    let made = pair(&data, &verified(Method::Atomic, Verify::All, First::Left));
+    let first = made.source.local.clone();
+    let shown = inferred(made);
+    let (mut own, mut copied) = (0.0, 0.0);
+    for (i, &word) in shown.source.iter().enumerate().filter(|(_, word)| is_reused(**word)) {
+        let row = i - i % SIZE[0] as usize;
+        // Where the rounding to pixels chose the very same primitive at nearly the same place.
+        if shown.hits[i].prim_id == truth.hits[i].prim_id {
+            let error = |colour: &[f32; 4]| {
+                (0..3).map(|c| f64::from(colour[c] - truth.local[i][c]).powi(2)).sum::<f64>()
+            };
+            own += error(&shown.local[i]);
+            copied += error(&first[row + source::column(word) as usize]);
+        }
+    }
+    assert!(own < copied, "squared error {own} of shading anew, {copied} of copying");
+}
+
+#[test]
+fn tracing_the_shadows_of_a_reused_point_gives_what_reusing_gives() {
+    for name in ["spheres", "default"] {
+        let data = scene(name);
+        let reused = inferred(pair(&data, &verified(Method::Atomic, Verify::Edges, First::Right)));
+        let options = StereoOptions {
+            shadows: Shadows::Trace,
+            ..verified(Method::Atomic, Verify::Edges, First::Right)
+        };
+        let traced = inferred(pair(&data, &options));
+        assert_same(&reused, &traced, name);
+        let rays =
+            |shown: &Inferred| shown.shadow_rays.iter().map(|rays| u64::from(rays.shadow)).sum::<u64>();
+        assert!(rays(&traced) > 3 * rays(&reused), "{name}");
+    }
+}
+
+#[test]
+fn the_lower_bound_copies() {
+    let data = scene("whitted");
+    let pair = pair(&data, &Method::Ideal.into());
+    assert!(words(pair.second.colour()) == words(pair.source.colour()));
+    assert!(
+        pair.second.rays().iter().all(|stage| stage.iter().all(|r| r.primary + r.shadow + r.reflected == 0))
+    );
+}
+
+#[test]
+fn kinds_of_traced_pixels_need_their_verification() {
+    let data = scene("default");
+    let kinds = |verify| {
+        let shown = inferred(pair(&data, &verified(Method::Atomic, verify, First::Left)));
+        [HOLE, GAP, BAD].map(|kind| shown.source.iter().filter(|&&word| source::kind(word) == kind).count())
+    };
+    let [holes, gaps, bad] = kinds(Verify::None);
+    assert!(holes > 0 && gaps > 0, "{holes} holes, {gaps} gaps");
+    let [same_holes, no_gaps, found] = kinds(Verify::All);
+    assert_eq!((same_holes, no_gaps), (holes, 0));
+    assert!(found > bad && found <= gaps + bad + 40, "{found} found, {gaps} gaps");
+}
