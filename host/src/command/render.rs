@@ -7,6 +7,7 @@ use super::report::{self, JsonOption, duration, grouped};
 use parallax::backend::{self, Backend};
 use parallax::build::Quality;
 use parallax::output::{self, Format};
+use parallax::render::stereo::statistics::StereoReport;
 use parallax::render::{self, RayTotals, SceneData, StageTime};
 use serde::Serialize;
 use std::fmt;
@@ -64,6 +65,8 @@ struct Report {
     stages: Vec<StageTime>,
     seconds: f64,
     rays: RayTotals,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stereo: Option<StereoReport>,
     warnings: Vec<String>,
     files: Vec<PathBuf>,
 }
@@ -106,6 +109,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
         stages,
         seconds: started.elapsed().as_secs_f64(),
         rays: frame.rays,
+        stereo: frame.stereo,
         warnings,
         files,
     })?;
@@ -154,7 +158,25 @@ impl fmt::Display for Report {
         for (kind, count) in kinds {
             writeln!(f, "  {kind:<14}{:>14}", grouped(count))?;
         }
+        if let Some(stereo) = &self.stereo {
+            writeln!(f, "Second view")?;
+            tell_stereo(f, stereo)?;
+        }
         writeln!(f, "Wrote")?;
         self.files.iter().try_for_each(|file| writeln!(f, "  {}", file.display()))
     }
+}
+
+/// What the second view was made of.
+fn tell_stereo(f: &mut fmt::Formatter, stereo: &StereoReport) -> fmt::Result {
+    let StereoReport { reused, verified, holes, gaps, bad, overlapped, .. } = *stereo;
+    let pixels = [("reused", reused), ("verified", verified), ("holes", holes), ("gaps", gaps), ("bad", bad)];
+    for (kind, count) in pixels.into_iter().chain([("overlapped", overlapped)]) {
+        writeln!(f, "  {kind:<14}{:>14}", grouped(count))?;
+    }
+    let StereoReport { largest_overlap, lemma_bound, m, saved_percent, worst_case_saved_percent, .. } =
+        stereo;
+    writeln!(f, "  {:<14}{largest_overlap:>14}  of at most {lemma_bound}", "on one pixel")?;
+    writeln!(f, "  {:<14}{m:>14.4}", "M")?;
+    writeln!(f, "  {:<14}{saved_percent:>12.1} %  at worst {worst_case_saved_percent:.1} %", "rays saved")
 }

@@ -2,6 +2,7 @@
 
 use super::band::Band;
 use super::stereo::Plan;
+use super::stereo::statistics::{StereoReport, StereoStatistics};
 use super::{
     RayTotals, RenderError, Renderer, SceneData, StageTime, StereoImages, StereoOptions, ViewImages,
 };
@@ -16,6 +17,8 @@ pub struct Frame {
     pub images: StereoImages,
     /// Rays that were traced.
     pub rays: RayTotals,
+    /// What the second view was made of, if it was made from the first.
+    pub stereo: Option<StereoReport>,
     /// Time of each stage, the upload of the scene included.
     pub times: Vec<StageTime>,
 }
@@ -34,6 +37,7 @@ pub fn render<B: Backend>(
     let plan = Plan::new(data, options, true)?;
     let mut images = allocate(data)?;
     let mut rays = RayTotals::default();
+    let mut statistics = None;
     let mut renderer = Renderer::new(backend, data)?;
     let [width, height] = [images.width, images.height];
     let bands: Vec<_> = Band::of_picture(height, renderer.suggested_rows(&plan)).collect();
@@ -41,6 +45,9 @@ pub fn render<B: Backend>(
     let [first, other] = options.first.eyes();
     for band in bands {
         let pair = renderer.pair(&plan, band)?;
+        if let Some(band) = StereoStatistics::of_band(&plan, &pair) {
+            *statistics.get_or_insert_default() += band;
+        }
         let (source, second) = (&pair.source, &pair.second);
         source.rays().chain(second.rays()).for_each(|stage| rays += stage);
         let of_source = Pixels { colour: source.colour(), hits: &source.hits, surfaces: &source.surfaces };
@@ -50,7 +57,8 @@ pub fn render<B: Backend>(
         progress(u64::from(band.first_row + band.rows), total);
     }
     debug_assert_eq!(images.views[0].t.len(), width as usize * height as usize);
-    Ok(Frame { images, rays, times: renderer.finish() })
+    let stereo = statistics.map(|statistics| StereoReport::new(data, &plan, &statistics));
+    Ok(Frame { images, rays, stereo, times: renderer.finish() })
 }
 
 fn allocate(data: &SceneData) -> Result<StereoImages, RenderError> {

@@ -24,6 +24,15 @@ impl RayTotals {
     }
 }
 
+impl AddAssign for RayTotals {
+    fn add_assign(&mut self, other: Self) {
+        self.primary += other.primary;
+        self.shadow += other.shadow;
+        self.reflected += other.reflected;
+        self.refracted += other.refracted;
+    }
+}
+
 impl AddAssign<&[RayCounts]> for RayTotals {
     fn add_assign(&mut self, pixels: &[RayCounts]) {
         for pixel in pixels {

@@ -7,6 +7,7 @@
 pub mod overlap;
 pub mod savings;
 pub mod second;
+pub mod statistics;
 mod tables;
 mod unseen;
 
