@@ -8,9 +8,12 @@ use parallax::render::{Renderer, SceneData};
 use parallax_kernels::stereo::slots::{ShiftRange, Slots};
 use parallax_kernels::stereo::tables::Clear;
 use parallax_shared::layout::{Hit, Reprojection};
+use parallax_shared::stereo::run::{RUN, Run};
+use parallax_shared::stereo::{slots, splat};
 use parallax_tests::gpu::{Driver, open};
 use parallax_tests::scenes;
 use parallax_tests::tables::{Producer, Tables, literal, reprojection};
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
 /// SplitMix64.
 struct Random(u64);
@@ -214,6 +217,30 @@ fn cases() -> Vec<(Producer, Reprojection, Vec<Hit>)> {
             (producer, p, depths(&mut random, 61 * 23))
         })
         .collect()
+}
+
+/// Runs of columns from the last to the first, which no backend would choose by itself.
+#[test]
+fn runs_may_come_in_any_order() {
+    for (p, hits) in bands() {
+        let empty = |len: usize| (0..len).map(|_| AtomicU32::new(0)).collect::<Vec<_>>();
+        let words = |table: &[AtomicU32]| table.iter().map(|word| word.load(Relaxed)).collect::<Vec<_>>();
+        let p = Reprojection { depth: 2, ..p };
+        let [candidates, gaps, gaps_by_slots] = [(); 3].map(|()| empty(hits.len()));
+        let slots = empty(2 * hits.len());
+        for row in 0..p.rows {
+            for number in (0..p.width.div_ceil(RUN)).rev() {
+                let run = Run::new(&p, number, row);
+                splat::splat(&run, &hits, &candidates, &gaps);
+                slots::put(&run, &hits, &slots, &gaps_by_slots);
+            }
+        }
+        let expected = literal(&p, &hits).tables;
+        assert_eq!(Tables { candidates: words(&candidates), gaps: words(&gaps) }, expected, "{p:?}");
+        let slots = words(&slots);
+        let nearest = (0..hits.len() as u32).map(|pixel| slots::nearest(&slots, pixel, 2)).collect();
+        assert_eq!(Tables { candidates: nearest, gaps: words(&gaps_by_slots) }, expected, "{p:?}");
+    }
 }
 
 /// The largest key wins whoever comes first: 20 runs with each number of threads.
