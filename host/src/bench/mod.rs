@@ -11,6 +11,7 @@ mod contender;
 #[cfg(feature = "embree")]
 mod embree;
 mod rays;
+pub mod stereo;
 mod timing;
 
 pub use rays::Case;
@@ -65,6 +66,14 @@ pub enum BenchError {
         /// Of how many.
         of: usize,
     },
+    /// The scene cannot be rendered.
+    #[error("{case}: {error}")]
+    Render {
+        /// Which case.
+        case: String,
+        /// Why.
+        error: crate::render::RenderError,
+    },
     /// Embree cannot be used.
     #[error("Embree: {0}")]
     Embree(String),
@@ -73,7 +82,7 @@ pub enum BenchError {
 /// One figure, as `--json` writes it.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct BenchLine {
-    /// "traversal".
+    /// "traversal" or "stereo".
     pub bench: &'static str,
     /// Model and kind of rays.
     pub case: String,
@@ -81,11 +90,11 @@ pub struct BenchLine {
     pub backend: String,
     /// Which traversal.
     pub method: String,
-    /// "rate", or "speed" as a ratio to the reference.
-    pub metric: &'static str,
+    /// What was measured: "rate", "speed" as a ratio to the reference, …
+    pub metric: String,
     /// From the medians over repetitions.
     pub value: f64,
-    /// "Mray/s" or "×".
+    /// "Mray/s", "×", "%", or nothing.
     pub unit: &'static str,
     /// Between the quartiles over repetitions, in the unit of `value`.
     pub spread: f64,
@@ -99,8 +108,13 @@ pub struct BenchLine {
 
 impl fmt::Display for BenchLine {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self { case, method, value, unit, spread, .. } = self;
-        write!(f, "{case:<28} {method:<16} {value:8.2} {unit:<6} ± {:.2}", spread / 2.0)?;
+        let Self { case, method, value, unit, spread, metric, .. } = self;
+        match self.bench {
+            "stereo" => {
+                write!(f, "{case:<32} {method:<20} {metric:<20} {value:8.3} {unit:<2} ± {:.3}", spread / 2.0)?
+            }
+            _ => write!(f, "{case:<28} {method:<16} {value:8.2} {unit:<6} ± {:.2}", spread / 2.0)?,
+        }
         match &self.reference {
             Some(reference) => write!(f, "  of {reference}"),
             None => Ok(()),
@@ -160,12 +174,12 @@ fn check(case: &str, all: &[Box<dyn Contender>], timings: &Timings, of: usize) -
 /// The rates of all, then ours as a ratio to each other one.
 fn report(case: &str, contenders: &[Box<dyn Contender>], timings: &Timings) -> Vec<BenchLine> {
     let backend = contenders[0].instruction_set();
-    let line = |method: String, metric, unit, (value, spread): (f64, f64)| BenchLine {
+    let line = |method: String, metric: &str, unit, (value, spread): (f64, f64)| BenchLine {
         bench: "traversal",
         case: case.into(),
         backend: format!("CPU ({backend}, 1 thread)"),
         method,
-        metric,
+        metric: metric.into(),
         value,
         unit,
         spread,

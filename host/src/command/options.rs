@@ -26,6 +26,9 @@ pub struct SceneOptions {
     /// Keep the first N lights, or add further ones around the scene and dim all to the same total.
     #[arg(long, value_name = "N")]
     lights: Option<u32>,
+    /// Make all materials matt: no highlights, mirrors or glass.
+    #[arg(long)]
+    diffuse: bool,
 }
 
 /// A scene that has been read, and how long that took.
@@ -47,7 +50,12 @@ impl SceneOptions {
         let path = locate::scene(self.scene.as_deref()).usage()?;
         let mut scene =
             scene::load(&path).with_context(|| format!("bad scene {}", path.display())).usage()?;
-        let overrides = Overrides { size: self.size, interaxial_px: self.interaxial, lights: self.lights };
+        let overrides = Overrides {
+            size: self.size,
+            interaxial_px: self.interaxial,
+            lights: self.lights,
+            diffuse: self.diffuse,
+        };
         overrides.apply(&mut scene).usage()?;
         let warnings = warnings(&scene);
         Ok(Loaded { scene, path, warnings, seconds: started.elapsed().as_secs_f64() })

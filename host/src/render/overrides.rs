@@ -20,6 +20,9 @@ pub struct Overrides {
     pub interaxial_px: Option<f32>,
     /// Number of lights: the first of the scene's own, or those and further ones (see [`Overrides::apply`]).
     pub lights: Option<u32>,
+    /// Whether all materials become matt: neither specular nor mirrors nor glass, as in the scenes of
+    /// Al-Hagri 2012 §4.4.
+    pub diffuse: bool,
 }
 
 impl Overrides {
@@ -43,6 +46,11 @@ impl Overrides {
         }
         if let Some(count) = self.lights {
             set_lights(scene, count.min(MAX_LIGHTS + 1));
+        }
+        if self.diffuse {
+            for material in &mut scene.materials {
+                (material.specular, material.reflection, material.transmission) = (0.0, 0.0, 0.0);
+            }
         }
         check_limits(scene)
     }
@@ -191,7 +199,7 @@ mod tests {
         let size = Some([800, 600]);
         Overrides { size, ..Overrides::default() }.apply(&mut scene).unwrap();
         assert_eq!(scene.rig.interaxial_px, 20.0);
-        Overrides { size, interaxial_px: Some(7.0), lights: None }.apply(&mut scene).unwrap();
+        Overrides { size, interaxial_px: Some(7.0), ..Overrides::default() }.apply(&mut scene).unwrap();
         assert_eq!((scene.rig.width, scene.rig.interaxial_px), (800, 7.0));
     }
 }

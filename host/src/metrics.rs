@@ -1,0 +1,73 @@
+//! How far a picture is from another one.
+
+use parallax_shared::camera::disparity_px;
+use parallax_shared::layout::Hit;
+use parallax_shared::output::tonemap::srgb8_colour;
+
+/// Mean squared error of 8-bit sRGB components, as Al-Hagri 2012 §4.5.2 has it: Σ‖c − c̄‖² / (3 · pixels). 0 without pixels.
+pub fn mse(picture: &[[f32; 4]], reference: &[[f32; 4]]) -> f64 {
+    let squares: f64 = picture.iter().zip(reference).map(|(a, b)| squared_distance(a, b)).sum();
+    if picture.is_empty() { 0.0 } else { squares / (3.0 * picture.len() as f64) }
+}
+
+/// Peak signal to noise ratio in dB of an [`mse`]; +∞ for equal pictures.
+pub fn psnr(mse: f64) -> f64 {
+    10.0 * (255.0 * 255.0 / mse).log10()
+}
+
+/// Of the pixels whose colours differ: their share, and their mean distance in units of 8-bit sRGB (Adelson and Hodges 1993, §5).
+pub fn differing(picture: &[[f32; 4]], reference: &[[f32; 4]]) -> (f64, f64) {
+    let distances = picture.iter().zip(reference).map(|(a, b)| squared_distance(a, b).sqrt());
+    let differing: Vec<f64> = distances.filter(|distance| *distance > 0.0).collect();
+    if differing.is_empty() {
+        return (0.0, 0.0);
+    }
+    let count = differing.len() as f64;
+    (count / picture.len() as f64, differing.iter().sum::<f64>() / count)
+}
+
+/// The share of pixels that show another depth than the reference by more than rounding to whole pixels explains: their disparities
+/// are more than one pixel apart.
+pub fn wrong_depth(interaxial_px: f32, shown: &[Hit], reference: &[Hit]) -> f64 {
+    let disparity = |hit: &Hit| disparity_px(interaxial_px, hit.t);
+    let wrong =
+        shown.iter().zip(reference).filter(|(a, b)| (disparity(a) - disparity(b)).abs() > 1.001).count();
+    if shown.is_empty() { 0.0 } else { wrong as f64 / shown.len() as f64 }
+}
+
+fn squared_distance(a: &[f32; 4], b: &[f32; 4]) -> f64 {
+    let bytes = |c: &[f32; 4]| srgb8_colour([c[0], c[1], c[2]]);
+    bytes(a).into_iter().zip(bytes(b)).map(|(a, b)| (f64::from(a) - f64::from(b)).powi(2)).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BLACK: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
+    const RED: [f32; 4] = [1.0, 0.0, 0.0, 1.0];
+
+    #[test]
+    fn equal_pictures_have_no_error() {
+        assert_eq!((mse(&[RED; 3], &[RED; 3]), mse(&[], &[])), (0.0, 0.0));
+        assert_eq!(psnr(0.0), f64::INFINITY);
+        assert_eq!(differing(&[RED; 3], &[RED; 3]), (0.0, 0.0));
+    }
+
+    #[test]
+    fn one_component_of_one_pixel_counts_by_its_square() {
+        let (picture, reference) = ([RED, BLACK], [BLACK, BLACK]);
+        assert_eq!(mse(&picture, &reference), 255.0 * 255.0 / 6.0);
+        assert!((psnr(255.0 * 255.0 / 6.0) - 10.0 * 6.0_f64.log10()).abs() < 1e-12);
+        assert_eq!(differing(&picture, &reference), (0.5, 255.0));
+    }
+
+    #[test]
+    fn depths_a_pixel_of_disparity_apart_are_wrong() {
+        let hit = |t| Hit { t, prim_id: 0 };
+        // Disparities 5 and 4.95; 5 and 10; 5 and 5.
+        let (shown, truth) = ([hit(2.0), hit(2.0), hit(2.0)], [hit(1.98), hit(f32::INFINITY), hit(2.0)]);
+        assert_eq!(wrong_depth(10.0, &shown, &truth), 1.0 / 3.0);
+        assert_eq!(wrong_depth(10.0, &[], &[]), 0.0);
+    }
+}
