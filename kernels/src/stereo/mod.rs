@@ -11,3 +11,4 @@ pub mod shifts;
 pub mod slots;
 pub mod splat;
 pub mod tables;
+pub mod trace;

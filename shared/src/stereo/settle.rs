@@ -11,7 +11,7 @@
 
 use super::reprojection::{EMPTY, nearer_by_a_pixel, pixel};
 use super::source;
-use crate::layout::{Hit, Reprojection};
+use crate::layout::Reprojection;
 use kernel_api::At;
 
 /// Nothing is verified: pixels in gaps are traced.
@@ -52,27 +52,30 @@ impl Plan {
         Self { kind: if verified { source::VERIFIED } else { source::REUSED }, column }
     }
 
-    /// Up to which `t` a ray has to be traced; none if the pixel is reused as it is. `hits` are the source's.
+    /// The pixel's word, as long as no ray says otherwise.
     #[inline(always)]
-    pub fn ray_end(&self, p: &Reprojection, hits: &[Hit], row: u32) -> Option<f32> {
+    pub fn word(&self, p: &Reprojection) -> u32 {
         match self.kind {
-            source::REUSED => None,
-            source::VERIFIED => {
-                Some(nearer_by_a_pixel(p.interaxial_px, hits.at_ref(pixel(p, self.column, row)).t))
-            }
-            _ => Some(f32::INFINITY),
-        }
-    }
-
-    /// The pixel's word: `met` says whether a ray met something.
-    #[inline(always)]
-    pub fn conclude(&self, p: &Reprojection, met: bool) -> u32 {
-        match self.kind {
-            source::VERIFIED if met => source::traced(source::BAD),
             source::REUSED | source::VERIFIED => source::from_column(self.kind, pixel(p, self.column, 0)),
             kind => source::traced(kind),
         }
     }
+}
+
+/// Up to which `t` the ray of a pixel has to be traced, by its word; none if it is reused as it is. `t` is that of the source's column.
+#[inline(always)]
+pub fn ray_end(p: &Reprojection, word: u32, t: impl Fn(u32) -> f32) -> Option<f32> {
+    match source::kind(word) {
+        source::REUSED => None,
+        source::VERIFIED => Some(nearer_by_a_pixel(p.interaxial_px, t(source::column(word)))),
+        _ => Some(f32::INFINITY),
+    }
+}
+
+/// The pixel's word behind its ray: a verified candidate is bad if something was `met` in front of it.
+#[inline(always)]
+pub fn concluded(word: u32, met: bool) -> u32 {
+    if source::kind(word) == source::VERIFIED && met { source::traced(source::BAD) } else { word }
 }
 
 /// Whether depth steps between a pixel, whose candidate is source column `column`, and its neighbour: their shifts differ by two or
@@ -130,11 +133,19 @@ mod tests {
     #[test]
     fn rays_end_a_pixel_of_disparity_in_front_of_the_candidate() {
         let p = Reprojection { width: 1, rows: 1, interaxial_px: 10.0, ..Zeroable::zeroed() };
-        let end = |kind, t| Plan { kind, column: 0 }.ray_end(&p, &[Hit { t, prim_id: 0 }], 0);
+        let end = |kind, t| ray_end(&p, source::from_column(kind, 0), |_| t);
         assert_eq!(end(source::REUSED, 2.0), None);
         assert_eq!(end(source::HOLE, 2.0), Some(f32::INFINITY));
         assert_eq!(end(source::VERIFIED, f32::INFINITY), Some(f32::INFINITY));
         // 10 − 10 / t is one less at t = 5/3.
         assert!((end(source::VERIFIED, 2.0).unwrap() - 5.0 / 3.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn only_a_verified_candidate_can_be_bad() {
+        let word = source::from_column(source::VERIFIED, 7);
+        assert_eq!((concluded(word, false), concluded(word, true)), (word, source::traced(source::BAD)));
+        let hole = source::traced(source::HOLE);
+        assert_eq!((concluded(hole, false), concluded(hole, true)), (hole, hole));
     }
 }

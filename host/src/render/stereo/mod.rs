@@ -17,10 +17,13 @@ use super::method::{Method, Shadows, StereoOptions, Verify};
 use super::renderer::Stages;
 use super::{RenderError, SceneData};
 use crate::backend::{Backend, BackendError};
-use parallax_kernels::stereo::{copy::Copy, gloss::Gloss, inherit::Inherit, light::Light, settle::Settle};
+use parallax_kernels::stereo::{
+    copy::Copy, gloss::Gloss, inherit::Inherit, light::Light, settle::Settle, trace::Trace,
+};
 use parallax_kernels::{shade::Shade, shadow::Shadow};
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Reprojection, View};
+use parallax_shared::stereo::run::RUN;
 use parallax_shared::stereo::settle::{VERIFY_ALL, VERIFY_EDGES, VERIFY_NONE};
 use second::SecondBuffers;
 
@@ -97,19 +100,18 @@ pub(super) fn second_view<B: Backend>(
     let (info, effects) = (data.info, data.effects.0);
     let settle = Settle {
         p,
-        view,
-        info,
-        rows,
         candidates: second.tables.candidates,
         gaps: second.tables.gaps,
         source_hits: source.hits,
         source_colours: source.local,
-        source: second.source,
+        words: second.source,
         hits: second.hits,
         colours: second.colours,
     };
-    stages.run(&settle, &view)?;
-    let (from, hits, colours) = (second.source, second.hits, second.colours);
+    stages.run_over(&settle, [p.width.div_ceil(RUN), p.rows, 1])?;
+    let (words, hits, source_hits) = (second.source, second.hits, source.hits);
+    stages.run(&Trace { p, view, info, rows, source_hits, words, hits }, &view)?;
+    let (from, colours) = (second.source, second.colours);
     if plan.options.shadows == Shadows::Reuse {
         let counts = second.light_rays;
         let light = Light {

@@ -4,7 +4,7 @@
 //! there may hide candidates that nothing else makes questionable. The tables cannot know: a strip of columns has to be verified.
 //!
 //! A box alone says little of a floor that runs below the eye. So the part of space in question is cut into slices of depth, and the
-//! nearest slice counts whose own box meets one of the structure's packs.
+//! nearest slice counts that a pack's box may meet: it meets the slice's own box and lies behind none of its six planes.
 
 use crate::render::SceneData;
 use glam::DVec3;
@@ -39,14 +39,50 @@ impl Bounds {
     fn grown(self, by: f64) -> Self {
         Self { low: self.low - by, high: self.high + by }
     }
+}
 
-    /// Of the part of a view's columns between two values of `t`.
-    fn of_slice(view: &View, [near, far]: [f64; 2], columns: [f64; 2]) -> Self {
+/// The part of a view's columns between two values of `t`.
+struct Slice {
+    bounds: Bounds,
+    /// Normals and offsets; inside is where no `normal · p` is below its offset.
+    planes: [(DVec3, f64); 6],
+}
+
+impl Slice {
+    fn new(view: &View, [near, far]: [f64; 2], columns: [f64; 2]) -> Self {
         let rows = [-0.5, f64::from(view.height) - 0.5];
-        let none = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
+        let none = Bounds { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
         let ends = [near, far].into_iter().flat_map(|t| columns.map(|x| (t, x)));
-        ends.flat_map(|(t, x)| rows.map(|y| point(view, t, x, y)))
-            .fold(none, |all, p| Self { low: all.low.min(p), high: all.high.max(p) })
+        let bounds = ends
+            .flat_map(|(t, x)| rows.map(|y| point(view, t, x, y)))
+            .fold(none, |all, p| Bounds { low: all.low.min(p), high: all.high.max(p) });
+        let eye = vector(view.eye);
+        let forward = vector(view.forward) / f64::from(view.distance);
+        // A point at `t` has the coordinate (p · step / t − corner · step) / step², and t is p · forward.
+        let beyond = |step: [f32; 3], least: f64| {
+            let step = vector(step);
+            step - forward * (vector(view.corner).dot(step) + least * step.length_squared())
+        };
+        let through_eye = |normal: DVec3| (normal, normal.dot(eye));
+        let planes = [
+            through_eye(beyond(view.step_x, columns[0])),
+            through_eye(-beyond(view.step_x, columns[1])),
+            through_eye(beyond(view.step_y, rows[0])),
+            through_eye(-beyond(view.step_y, rows[1])),
+            (forward, forward.dot(eye) + near),
+            (-forward, -forward.dot(eye) - far),
+        ];
+        Self { bounds, planes }
+    }
+
+    /// Whether a box, grown by `padding`, may meet it.
+    fn may_meet(&self, other: &Bounds, padding: f64) -> bool {
+        let other = other.grown(padding);
+        let behind = |&(normal, offset): &(DVec3, f64)| {
+            let farthest = DVec3::select(normal.cmpge(DVec3::ZERO), other.high, other.low);
+            normal.dot(farthest) < offset
+        };
+        self.bounds.meets(&other) && !self.planes.iter().any(behind)
     }
 }
 
@@ -67,22 +103,21 @@ fn nearest_within(
     end: f64,
     columns: impl Fn(f64) -> Option<[f64; 2]>,
 ) -> Option<f64> {
-    let padding = PADDING * (f64::from(data.info.extent) + vector(view.eye).abs().max_element());
     let slices = std::iter::successors(Some(NEAREST), |t| Some(t * STEP)).take_while(|t| *t < end);
     slices.into_iter().find(|&near| {
         columns(near).is_some_and(|columns| {
-            let slice = Bounds::of_slice(view, [near, (near * STEP).min(end)], columns);
-            meets_a_pack(&data.rows, &slice.grown(padding))
+            meets_a_pack(data, view, &Slice::new(view, [near, (near * STEP).min(end)], columns))
         })
     })
 }
 
-/// Whether the box of a pack meets `bounds`.
-fn meets_a_pack(rows: &[Row], bounds: &Bounds) -> bool {
+/// Whether the box of a pack may meet the slice.
+fn meets_a_pack(data: &SceneData, view: &View, slice: &Slice) -> bool {
+    let padding = PADDING * (f64::from(data.info.extent) + vector(view.eye).abs().max_element());
     let mut todo = vec![0];
     while let Some(node) = todo.pop() {
-        for (child, link) in children(rows, node) {
-            match (child.meets(bounds), link & LEAF) {
+        for (child, link) in children(&data.rows, node) {
+            match (slice.may_meet(&child, padding), link & LEAF) {
                 (false, _) => {}
                 (true, 0) => todo.push(link),
                 (true, _) => return true,
@@ -109,7 +144,7 @@ pub fn nearest(data: &SceneData, eye: usize) -> Option<f32> {
     let columns = [-0.5, f64::from(view.width) - 0.5];
     let found = nearest_within(data, view, FARTHEST, |_| Some(columns));
     // Nearer than the first slice: there is no bound worth having.
-    let at_eye = || meets_a_pack(&data.rows, &Bounds::of_slice(view, [0.0, NEAREST], columns));
+    let at_eye = || meets_a_pack(data, view, &Slice::new(view, [0.0, NEAREST], columns));
     match found {
         _ if at_eye() => Some(0.0),
         Some(t) => Some(t as f32),
