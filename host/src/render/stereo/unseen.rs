@@ -4,12 +4,13 @@
 //! there may hide candidates that nothing else makes questionable. The tables cannot know: a strip of columns has to be verified.
 //!
 //! A box alone says little of a floor that runs below the eye. So the part of space in question is cut into slices of depth, and the
-//! nearest slice counts that a pack's box may meet: it meets the slice's own box and lies behind none of its six planes.
+//! nearest slice counts that something may meet: a triangle of which something is left when it is clipped to the slice, or another
+//! primitive's pack whose box meets the slice's own and lies behind none of its six planes.
 
 use crate::render::SceneData;
 use glam::DVec3;
-use parallax_shared::layout::{Row, View};
-use parallax_shared::traversal::rows::{LANES, LEAF, LINKS};
+use parallax_shared::layout::{Row, Triangle, View};
+use parallax_shared::traversal::rows::{KIND, Kind, LANES, LEAF, LINKS, NUMBERS, ROW};
 
 /// Where the first slice begins, as a share of the distance to the zero-parallax plane. What is nearer than this has disparities of
 /// more than 63 times the distance between the eyes.
@@ -84,6 +85,32 @@ impl Slice {
         };
         self.bounds.meets(&other) && !self.planes.iter().any(behind)
     }
+
+    /// Whether a triangle meets it, grown by `padding` (Sutherland and Hodgman 1974).
+    fn meets(&self, triangle: &Triangle, padding: f64) -> bool {
+        let whole = triangle.vertices.map(vector).to_vec();
+        let left = self.planes.iter().fold(whole, |polygon, &(normal, offset)| {
+            clipped(&polygon, normal, offset - padding * normal.length())
+        });
+        !left.is_empty()
+    }
+}
+
+/// The part of a convex polygon that is in front of a plane.
+fn clipped(polygon: &[DVec3], normal: DVec3, offset: f64) -> Vec<DVec3> {
+    let height = |p: &DVec3| normal.dot(*p) - offset;
+    let next = polygon.iter().cycle().skip(1);
+    let mut inside = Vec::with_capacity(polygon.len() + 1);
+    for (p, q) in polygon.iter().zip(next) {
+        let (a, b) = (height(p), height(q));
+        if a >= 0.0 {
+            inside.push(*p);
+        }
+        if (a >= 0.0) != (b >= 0.0) {
+            inside.push(p.lerp(*q, a / (a - b)));
+        }
+    }
+    inside
 }
 
 /// The point at `t` of the ray through a place of the picture.
@@ -120,11 +147,22 @@ fn meets_a_pack(data: &SceneData, view: &View, slice: &Slice) -> bool {
             match (slice.may_meet(&child, padding), link & LEAF) {
                 (false, _) => {}
                 (true, 0) => todo.push(link),
-                (true, _) => return true,
+                (true, _) if pack_meets(data, link, slice, padding) => return true,
+                (true, _) => {}
             }
         }
     }
     false
+}
+
+/// Whether a primitive of a pack may meet the slice.
+fn pack_meets(data: &SceneData, link: u32, slice: &Slice, padding: f64) -> bool {
+    if link & KIND != Kind::Triangles as u32 {
+        return true;
+    }
+    let numbers = data.rows[(link & ROW) as usize + NUMBERS].0;
+    let triangles = numbers.iter().filter_map(|&number| data.triangles.get(number as usize));
+    triangles.into_iter().any(|triangle| slice.meets(triangle, padding))
 }
 
 /// The boxes and links of the children of a node.
@@ -169,4 +207,18 @@ pub fn checked_from(data: &SceneData, source: usize) -> u32 {
     };
     let found = (interaxial_px > 0.0).then(|| nearest_within(data, view, 1.0, columns)).flatten();
     found.map_or(view.width, |t| (f64::from(view.width) - strip(t).ceil() - 2.0).max(0.0) as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_polygon_is_clipped_to_what_is_in_front() {
+        let triangle = [DVec3::ZERO, DVec3::X * 2.0, DVec3::Y * 2.0];
+        let left = clipped(&triangle, DVec3::X, 1.0);
+        assert_eq!(left, [DVec3::X, DVec3::X * 2.0, DVec3::new(1.0, 1.0, 0.0)]);
+        assert_eq!(clipped(&triangle, DVec3::X, -1.0), triangle);
+        assert!(clipped(&triangle, DVec3::X, 3.0).is_empty());
+    }
 }
