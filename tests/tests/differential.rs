@@ -91,7 +91,7 @@ fn the_number_of_threads_does_not_matter() {
     assert!(reports.iter().all(|report| report.equal), "{reports:#?}");
 }
 
-/// The module with its `nth` constant of type float and magnitude over 10⁻⁶ made half as large again.
+/// The module with its `nth` constant of type float and magnitude over 10⁻⁷ made half as large again.
 fn mutated(words: &[u32], nth: usize) -> Option<Vec<u32>> {
     const OP_TYPE_FLOAT: u32 = 22;
     const OP_CONSTANT: u32 = 43;
@@ -105,7 +105,7 @@ fn mutated(words: &[u32], nth: usize) -> Option<Vec<u32>> {
         if operation == OP_CONSTANT
             && floats.contains(&words[at + 1])
             && value.is_finite()
-            && value.abs() > 1e-6
+            && value.abs() > 1e-7
         {
             if seen == nth {
                 let mut words = words.to_vec();
@@ -122,9 +122,9 @@ fn mutated(words: &[u32], nth: usize) -> Option<Vec<u32>> {
 #[test]
 fn one_changed_constant_of_a_kernel_is_found() {
     let data = default_scene([24, 16]);
-    for kernel in ["surface", "shade", "bounce"] {
+    for kernel in ["primary", "surface", "shadow", "shade", "bounce"] {
         let module = Modules::embedded(Profile::Strict).get(kernel).expect("a committed module").clone();
-        let found = (0..8).map_while(|nth| mutated(&module.spirv, nth)).any(|words| {
+        let found = (0..40).map_while(|nth| mutated(&module.spirv, nth)).any(|words| {
             let Some(gpu) = open(Driver::Lavapipe, Profile::Strict) else { return true };
             let mut modules = Modules::embedded(Profile::Strict);
             modules.insert(kernel, Module { spirv: words.into(), wgsl: None });
