@@ -29,10 +29,32 @@ pub fn differing(picture: &[[f32; 4]], reference: &[[f32; 4]]) -> (f64, f64) {
 /// The share of pixels that show another depth than the reference by more than rounding to whole pixels explains: their disparities
 /// are more than one pixel apart.
 pub fn wrong_depth(interaxial_px: f32, shown: &[Hit], reference: &[Hit]) -> f64 {
-    let disparity = |hit: &Hit| disparity_px(interaxial_px, hit.t);
-    let wrong =
-        shown.iter().zip(reference).filter(|(a, b)| (disparity(a) - disparity(b)).abs() > 1.001).count();
+    let wrong = shown.iter().zip(reference).filter(|(a, b)| is_wrong(interaxial_px, a, b)).count();
     if shown.is_empty() { 0.0 } else { wrong as f64 / shown.len() as f64 }
+}
+
+/// The share of the squared error that comes from rounding to whole pixels: from pixels that show the depth of the reference within
+/// that rounding (see [`wrong_depth`]), though not the very same point. 0 without any error. Pictures are colours and hits.
+pub fn rounding_share(
+    interaxial_px: f32,
+    picture: (&[[f32; 4]], &[Hit]),
+    reference: (&[[f32; 4]], &[Hit]),
+) -> f64 {
+    let (mut rounding, mut all) = (0.0, 0.0);
+    let pixels = picture.0.iter().zip(picture.1).zip(reference.0.iter().zip(reference.1));
+    for ((colour, shown), (true_colour, truth)) in pixels {
+        let error = squared_distance(colour, true_colour);
+        all += error;
+        if !is_wrong(interaxial_px, shown, truth) {
+            rounding += error;
+        }
+    }
+    if all > 0.0 { rounding / all } else { 0.0 }
+}
+
+/// Whether disparities are more than a pixel apart; the bounded ray's own rounding is allowed for.
+fn is_wrong(interaxial_px: f32, shown: &Hit, truth: &Hit) -> bool {
+    (disparity_px(interaxial_px, shown.t) - disparity_px(interaxial_px, truth.t)).abs() > 1.001
 }
 
 fn squared_distance(a: &[f32; 4], b: &[f32; 4]) -> f64 {
@@ -69,5 +91,16 @@ mod tests {
         let (shown, truth) = ([hit(2.0), hit(2.0), hit(2.0)], [hit(1.98), hit(f32::INFINITY), hit(2.0)]);
         assert_eq!(wrong_depth(10.0, &shown, &truth), 1.0 / 3.0);
         assert_eq!(wrong_depth(10.0, &[], &[]), 0.0);
+    }
+
+    #[test]
+    fn errors_at_the_right_depth_are_those_of_rounding() {
+        let hit = |t| Hit { t, prim_id: 0 };
+        let (shown, truth) = ([hit(2.0), hit(2.0)], [hit(1.98), hit(f32::INFINITY)]);
+        let share = |a: &[[f32; 4]], b: &[[f32; 4]]| rounding_share(10.0, (a, &shown), (b, &truth));
+        assert_eq!(share(&[RED, BLACK], &[BLACK, BLACK]), 1.0);
+        assert_eq!(share(&[BLACK, RED], &[BLACK, BLACK]), 0.0);
+        assert_eq!(share(&[RED, RED], &[BLACK, BLACK]), 0.5);
+        assert_eq!(share(&[RED, RED], &[RED, RED]), 0.0);
     }
 }

@@ -37,7 +37,7 @@ impl JsonOption {
             return print(&json().work()?);
         }
         if let Some(path) = &self.json {
-            save(path, &json().work()?)?;
+            save(path, "--json", &json().work()?)?;
         }
         print(text)
     }
@@ -51,11 +51,13 @@ fn print(text: &str) -> Result<(), Failure> {
     }
 }
 
-fn save(path: &Path, json: &str) -> Result<(), Failure> {
+/// Writes `text` to the file that `option` names.
+pub fn save(path: &Path, option: &str, text: &str) -> Result<(), Failure> {
     let (folder, name) = (path.parent().unwrap_or(Path::new("")), path.file_name());
-    let name = name.context("--json names a folder, not a file").usage()?.to_string_lossy();
+    let name =
+        name.with_context(|| format!("{option} names a folder, not a file")).usage()?.to_string_lossy();
     let mut batch = Batch::new(if folder.as_os_str().is_empty() { Path::new(".") } else { folder }).work()?;
-    batch.write_text(&name, json).work()?;
+    batch.write_text(&name, text).work()?;
     batch.commit().work()?;
     Ok(())
 }

@@ -1,16 +1,17 @@
-//! `parallax bench stereo`: what the second view of a pair costs by each method, of what that is made up, and how far it is from the
-//! truth.
+//! Measures a scene.
 //!
 //! All methods run in turn in each repetition, over buffers that are made once. The second view's cost is (stereo − mono) / mono, by
 //! the source's passes of the same run: what disturbs one disturbs the other. Reading back and display are left out for all.
 
-use super::{BenchError, BenchLine};
+use super::paper::{COST, DIFFERING, DISTANCE, M, MSE, SAVED};
+use super::{RAYS_SAVED, WRONG_DEPTH};
 use crate::backend::{Backend, Cpu};
+use crate::bench::{BenchError, BenchLine};
 use crate::metrics;
-use crate::render::band::{Band, Pair, Second};
+use crate::render::band::{Band, EYES, Pair};
 use crate::render::stereo::Plan;
-use crate::render::{Method, Renderer, SceneData, StereoOptions, Verify};
-use parallax_shared::stereo::source;
+use crate::render::stereo::statistics::{StereoReport, StereoStatistics};
+use crate::render::{Method, RenderError, Renderer, SceneData, StereoOptions, Verify};
 use std::collections::BTreeMap;
 
 /// What is measured of a scene.
@@ -21,13 +22,15 @@ pub struct Case<'a> {
     pub data: &'a SceneData,
     /// How its pairs are rendered; the first one is the reference, and must be naive.
     pub methods: &'a [StereoOptions],
-    /// How often everything is run; medians and quartiles are over these.
+    /// How often everything is run; medians and quartiles are over these. 0: nothing is timed.
     pub repetitions: usize,
 }
 
 /// What one method has shown.
 #[derive(Default)]
 struct Measured {
+    /// Seconds of the source, by repetition.
+    mono: Vec<f64>,
     /// Cost of the second view, by repetition.
     cost: Vec<f64>,
     /// Seconds of each of its stages over the mono seconds, by repetition.
@@ -60,17 +63,18 @@ pub fn stereo(
 ) -> Result<Vec<BenchLine>, BenchError> {
     let failed = |error| BenchError::Render { case: case.name.clone(), error };
     let backend = cpu.describe();
-    let pairs = pairs(cpu, case).map_err(failed)?;
+    let qualities = qualities(cpu, case).map_err(failed)?;
     let measured = times(cpu, case, progress).map_err(failed)?;
     let mut lines = Vec::new();
-    for ((options, measured), pair) in case.methods.iter().zip(&measured).zip(&pairs) {
-        let mut line = |metric: String, unit, (value, spread): (f64, f64)| {
+    for ((options, of_method), quality) in case.methods.iter().zip(&measured).zip(&qualities) {
+        let saved = saved(of_method, &measured[0]);
+        let mut line = |metric: &str, unit, (value, spread): (f64, f64)| {
             lines.push(BenchLine {
                 bench: "stereo",
                 case: case.name.clone(),
                 backend: backend.clone(),
                 method: label(options),
-                metric,
+                metric: metric.into(),
                 value,
                 unit,
                 spread,
@@ -78,24 +82,50 @@ pub fn stereo(
                 reference_value: None,
             });
         };
-        line("second view / mono".into(), "%", percent(&measured.cost));
-        for (stage, share) in &measured.stages {
-            line(format!("of it {stage}"), "%", percent(share));
-        }
-        if options.method != Method::Naive {
-            for (metric, unit, value) in quality(case.data, pair, &pairs[0]) {
-                line(metric.into(), unit, (value, 0.0));
+        if case.repetitions > 0 {
+            line(COST, "%", percent(&of_method.cost));
+            if options.method == Method::Naive {
+                line("mono", "ms", quartiles(&of_method.mono, 1e3));
+            } else {
+                line(SAVED, "%", percent(&saved));
             }
+        }
+        for (stage, share) in &of_method.stages {
+            line(&format!("of it {stage}"), "%", percent(share));
+        }
+        for &(metric, unit, value) in quality {
+            line(metric, unit, (value, 0.0));
         }
     }
     Ok(lines)
 }
 
-/// Both views by each method, once.
-fn pairs(cpu: &mut Cpu, case: &Case<'_>) -> Result<Vec<Pair>, crate::render::RenderError> {
+/// By repetition, which share of the traced second view's time a method saves.
+fn saved(measured: &Measured, naive: &Measured) -> Vec<f64> {
+    measured.cost.iter().zip(&naive.cost).map(|(cost, traced)| 1.0 - cost / traced).collect()
+}
+
+/// A metric, its unit and its value.
+type Quality = (&'static str, &'static str, f64);
+
+/// How good each method's second view is; of the reference there is nothing to say.
+fn qualities(cpu: &mut Cpu, case: &Case<'_>) -> Result<Vec<Vec<Quality>>, RenderError> {
     let mut renderer = Renderer::new(cpu, case.data)?;
     let band = whole(case.data);
-    case.methods.iter().map(|options| renderer.pair(&Plan::new(case.data, options, true)?, band)).collect()
+    let mut pair = |options: &StereoOptions| {
+        let plan = Plan::new(case.data, options, true)?;
+        renderer.pair(&plan, band).map(|pair| (plan, pair))
+    };
+    let Some((reference, others)) = case.methods.split_first() else { return Ok(vec![]) };
+    let (_, naive) = pair(reference)?;
+    let mut qualities = vec![vec![]];
+    for options in others {
+        let (plan, pair) = pair(options)?;
+        let mut of_method = quality(case.data, &pair, &naive);
+        of_method.extend(counts(case.data, &plan, &pair));
+        qualities.push(of_method);
+    }
+    Ok(qualities)
 }
 
 fn whole(data: &SceneData) -> Band {
@@ -106,7 +136,10 @@ fn times(
     cpu: &mut Cpu,
     case: &Case<'_>,
     progress: &mut dyn FnMut(u64, u64),
-) -> Result<Vec<Measured>, crate::render::RenderError> {
+) -> Result<Vec<Measured>, RenderError> {
+    if case.repetitions == 0 {
+        return Ok(case.methods.iter().map(|_| Measured::default()).collect());
+    }
     let mut renderer = Renderer::new(cpu, case.data)?;
     let band = whole(case.data);
     let plans = case
@@ -125,8 +158,9 @@ fn times(
             if round == 0 {
                 continue;
             }
+            measured.mono.push(mono);
             measured.cost.push(second / mono);
-            let view = crate::render::band::EYES[plan.options.first.eyes()[1]];
+            let view = EYES[plan.options.first.eyes()[1]];
             for time in renderer.times().iter().filter(|time| time.view == Some(view)) {
                 let earlier = before.iter().find(|t| (t.view, t.stage) == (time.view, time.stage));
                 let seconds = time.seconds - earlier.map_or(0.0, |time| time.seconds);
@@ -141,38 +175,53 @@ fn times(
     Ok(measured)
 }
 
-/// How far the second view is from the naive one, and what was reused for it.
-fn quality(data: &SceneData, pair: &Pair, naive: &Pair) -> Vec<(&'static str, &'static str, f64)> {
+/// How far the second view is from the naive one.
+fn quality(data: &SceneData, pair: &Pair, naive: &Pair) -> Vec<Quality> {
     let (shown, truth) = (&pair.second, &naive.second);
+    let e = data.views[0].interaxial_px;
     let mse = metrics::mse(shown.colour(), truth.colour());
     let (share, distance) = metrics::differing(shown.colour(), truth.colour());
-    let wrong = metrics::wrong_depth(data.views[0].interaxial_px, shown.hits(), truth.hits());
-    let mut lines = vec![
-        ("mse", "", mse),
-        ("pixels that differ", "%", 100.0 * share),
-        ("their distance", "", distance),
-        ("wrong depth", "%", 100.0 * wrong),
-    ];
-    if let Second::Inferred(inferred) = shown {
-        let kinds = [
-            ("holes", source::HOLE),
-            ("gaps", source::GAP),
-            ("bad pixels", source::BAD),
-            ("verified", source::VERIFIED),
-        ];
-        let count = |kind| inferred.source.iter().filter(|&&word| source::kind(word) == kind).count();
-        let share = |kind| 100.0 * count(kind) as f64 / inferred.source.len() as f64;
-        lines.extend(kinds.map(|(name, kind)| (name, "%", share(kind))));
-    }
-    lines
+    let rounding = metrics::rounding_share(e, (shown.colour(), shown.hits()), (truth.colour(), truth.hits()));
+    let wrong = metrics::wrong_depth(e, shown.hits(), truth.hits());
+    vec![
+        (MSE, "", mse),
+        ("of it rounding to pixels", "%", 100.0 * rounding),
+        (DIFFERING, "%", 100.0 * share),
+        (DISTANCE, "", distance),
+        (WRONG_DEPTH, "%", 100.0 * wrong),
+    ]
+}
+
+/// What was reused, traced and saved; nothing of methods that do not infer the second view.
+fn counts(data: &SceneData, plan: &Plan, pair: &Pair) -> Vec<Quality> {
+    let Some(statistics) = StereoStatistics::of_band(plan, pair) else { return vec![] };
+    let report = StereoReport::new(data, plan, &statistics);
+    let share = |count: u64| 100.0 * count as f64 / statistics.pixels.max(1) as f64;
+    vec![
+        (M, "%", 100.0 * report.m),
+        ("holes", "%", share(report.holes)),
+        ("gaps", "%", share(report.gaps)),
+        ("bad pixels", "%", share(report.bad)),
+        ("verified", "%", share(report.verified)),
+        ("overlapped", "%", share(report.overlapped)),
+        ("largest overlap", "", report.largest_overlap.into()),
+        ("Lemma 1's bound", "", report.lemma_bound.into()),
+        (RAYS_SAVED, "%", report.saved_percent),
+        ("001's worst case", "%", report.worst_case_saved_percent),
+    ]
 }
 
 /// Median and distance of the quartiles, in per cent.
 fn percent(shares: &[f64]) -> (f64, f64) {
-    let mut sorted = shares.to_vec();
+    quartiles(shares, 100.0)
+}
+
+/// Median and distance of the quartiles, times `unit`.
+fn quartiles(values: &[f64], unit: f64) -> (f64, f64) {
+    let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
     let at = |quarter: usize| sorted.get((sorted.len().max(1) - 1) * quarter / 4).copied().unwrap_or(0.0);
-    (100.0 * at(2), 100.0 * (at(3) - at(1)))
+    (unit * at(2), unit * (at(3) - at(1)))
 }
 
 #[cfg(test)]
@@ -190,5 +239,12 @@ mod tests {
     fn medians_and_quartiles() {
         assert_eq!(percent(&[0.25, 0.5, 0.75, 0.0, 1.0]), (50.0, 50.0));
         assert_eq!(percent(&[]), (0.0, 0.0));
+        assert_eq!(quartiles(&[0.002], 1e3), (2.0, 0.0));
+    }
+
+    #[test]
+    fn what_is_saved_is_beside_the_traced_view_of_the_same_repetition() {
+        let costs = |cost: &[f64]| Measured { cost: cost.to_vec(), ..Measured::default() };
+        assert_eq!(saved(&costs(&[0.25, 0.5]), &costs(&[1.0, 2.0])), [0.75, 0.75]);
     }
 }

@@ -1,0 +1,72 @@
+//! `parallax bench stereo`: what the second view of a pair costs by each method, of what that is made up, and how far it is from the
+//! truth, beside what the papers print.
+
+mod html;
+mod measure;
+mod paper;
+mod parts;
+mod plot;
+
+pub use html::page;
+pub use measure::{Case, label, stereo};
+pub use parts::{Materials, Part, Setting};
+
+use super::BenchLine;
+use crate::render::StereoOptions;
+use paper::{COST, M, MSE, Printed, SAVED};
+
+/// The metrics that are told first.
+pub const HEADLINES: [&str; 6] = [COST, SAVED, M, MSE, WRONG_DEPTH, RAYS_SAVED];
+/// Share of pixels whose depth is wrong by more than rounding to pixels.
+const WRONG_DEPTH: &str = "wrong depth";
+/// Share of all rays of a second view that are saved.
+const RAYS_SAVED: &str = "rays saved";
+
+/// A setting of a part and what it has shown.
+#[derive(Clone, Debug)]
+pub struct Measured {
+    /// Of which part.
+    pub part: Part,
+    /// What was measured.
+    pub setting: Setting,
+    /// The figures.
+    pub lines: Vec<BenchLine>,
+}
+
+impl Measured {
+    /// Puts what the papers print beside the lines of a setting.
+    pub fn new(part: Part, setting: Setting, lines: Vec<BenchLine>) -> Self {
+        let methods = part.methods();
+        let with_reference = |line: BenchLine| {
+            let options = methods.iter().find(|options| label(options) == line.method);
+            match options {
+                Some(options) => refer(part, &setting, options, line),
+                None => line,
+            }
+        };
+        let lines = lines.into_iter().map(with_reference).collect();
+        Self { part, lines, setting }
+    }
+
+    /// The lowest and highest value that a paper prints for a line.
+    fn printed(&self, line: &BenchLine) -> Option<[f64; 2]> {
+        let methods = self.part.methods();
+        let options = methods.iter().find(|options| label(options) == line.method)?;
+        match paper::figure(self.part, &self.setting, options, &line.metric)?.printed {
+            Printed::Value(value) => Some([value, value]),
+            Printed::Range(low, high) => Some([low, high]),
+            Printed::AtLeast(_) | Printed::AtMost(_) | Printed::Lost => None,
+        }
+    }
+}
+
+/// The line with what a paper says of it.
+fn refer(part: Part, setting: &Setting, options: &StereoOptions, line: BenchLine) -> BenchLine {
+    let figure = paper::figure(part, setting, options, &line.metric);
+    BenchLine {
+        case: format!("{}: {}", part.name(), line.case),
+        reference: figure.map(|figure| figure.to_string()),
+        reference_value: figure.and_then(|figure| figure.value()),
+        ..line
+    }
+}

@@ -1,0 +1,346 @@
+//! What `parallax bench stereo` measures: the benchmarks of 000 (tables 5 and 6), 001 and 003, and our own aim.
+
+use crate::render::{Method, Overrides, RenderError, StereoOptions, Verify};
+use crate::scene::Scene;
+use clap::ValueEnum;
+
+/// A series of measurements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Part {
+    /// Our aim: at most 7 % of the first view at e = 15, 11 % at e = 50.
+    Target,
+    /// 000 table 5: sizes of the picture, five scenes.
+    Dimensions,
+    /// 000 table 5: distances of the eyes.
+    Interaxial,
+    /// 000 table 5: numbers of lights.
+    Lights,
+    /// 000 table 6: the error at sizes of the picture.
+    ErrorDimensions,
+    /// 000 table 6: the error at distances of the eyes.
+    ErrorInteraxial,
+    /// 001: 20 ellipsoids, one ray per pixel.
+    Single,
+    /// 001 table 1: mirrors, glass and both among 125 ellipsoids.
+    Table1,
+    /// 001 table 2, its first lines: 100 and 1000 ellipsoids.
+    Table2,
+    /// 003 table 5.1: gather tables, with and without reflections.
+    #[value(name = "003")]
+    Gather,
+}
+
+/// What becomes of a scene's materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Materials {
+    /// They stay.
+    Own,
+    /// All matt, as 000 has them.
+    Matt,
+    /// No mirrors and no glass; highlights stay.
+    Opaque,
+    /// No glass.
+    Mirrors,
+    /// No mirrors.
+    Glass,
+    /// 003's test scene as far as it is told: the first 100 spheres, of which 46 reflect.
+    Es,
+}
+
+/// One scene as it is measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Setting {
+    /// The name of a shipped scene.
+    pub scene: &'static str,
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Distance of the eyes.
+    pub interaxial_px: f32,
+    /// Number of lights, if not the scene's own.
+    pub lights: Option<u32>,
+    /// Materials.
+    pub materials: Materials,
+    /// Levels of reflection and refraction, if not the scene's own.
+    pub levels: Option<u32>,
+}
+
+/// The scenes of 000, table 4. Its animated spheres are one frame here.
+const SCENES: [&str; 5] = ["spheres", "spheres_turned", "sponza", "buddha", "dragon"];
+
+/// 001's distance of the eyes: the strip that only the right one sees is "at most 11520 pixels" of 512 × 512.
+const ADELSON_INTERAXIAL: f32 = 22.5;
+
+impl Part {
+    /// Its name on the command line.
+    pub fn name(self) -> String {
+        self.to_possible_value().map_or_else(String::new, |value| value.get_name().into())
+    }
+
+    /// What it shows, in one sentence.
+    pub const fn about(self) -> &'static str {
+        match self {
+            Self::Target => {
+                "Diffuse scenes at 600×600 with 5 lights: what a reprojected second view costs, in per cent of the first, and \
+                 what that is made of."
+            }
+            Self::Dimensions => {
+                "The cost of the second view against the size of the picture (000, table 5; e = 15, 5 lights)."
+            }
+            Self::Interaxial => {
+                "The cost of the second view against the distance of the eyes (000, table 5; 600×600, 5 lights): wider holes."
+            }
+            Self::Lights => {
+                "The cost of the second view against the number of lights (000, table 5; 600×600, e = 15): light is reused too."
+            }
+            Self::ErrorDimensions => {
+                "Mean squared error against a traced second view, by size (000, table 6 and figure 36): it falls."
+            }
+            Self::ErrorInteraxial => {
+                "Mean squared error against a traced second view, by distance of the eyes (000, table 6 and figure 37): it rises."
+            }
+            Self::Single => {
+                "001's single-ray method on 20 ellipsoids, whose averages over thirty pictures stand beside it."
+            }
+            Self::Table1 => {
+                "Mirrors and glass, whose further rays are traced for each eye, take away from what is saved (001, table 1)."
+            }
+            Self::Table2 => "Crowded scenes with a tenth of mirrors and a tenth of glass (001, table 2).",
+            Self::Gather => {
+                "003's table 5.1: 100 spheres, 46 of them mirrors, 4 lights; without reflections and with two levels of them."
+            }
+        }
+    }
+
+    /// Whether only errors are looked at, so that nothing need be timed.
+    pub const fn is_error(self) -> bool {
+        matches!(self, Self::ErrorDimensions | Self::ErrorInteraxial)
+    }
+
+    /// What changes from setting to setting of a scene, and the number that says how much of it; nothing in parts that are tables.
+    pub fn axis(self, setting: &Setting) -> Option<(&'static str, f64)> {
+        match self {
+            Self::Dimensions | Self::ErrorDimensions => {
+                Some(("side of the picture, px", f64::from(setting.size[0])))
+            }
+            Self::Interaxial | Self::ErrorInteraxial => {
+                Some(("interaxial distance e, px", f64::from(setting.interaxial_px)))
+            }
+            Self::Lights => Some(("lights", setting.lights.unwrap_or(0).into())),
+            Self::Target | Self::Single | Self::Table1 | Self::Table2 | Self::Gather => None,
+        }
+    }
+
+    /// How pairs are rendered; the first is the reference.
+    pub fn methods(self) -> Vec<StereoOptions> {
+        let edges = StereoOptions { verify: Some(Verify::Edges), ..Method::Atomic.into() };
+        let methods: &[Method] = match self {
+            Self::Target => &[Method::Naive, Method::Ideal],
+            Self::Dimensions | Self::Interaxial | Self::Lights => {
+                &[Method::Naive, Method::Ideal, Method::EsIsler, Method::Buffer, Method::Atomic]
+            }
+            Self::ErrorDimensions | Self::ErrorInteraxial => {
+                return Method::value_variants().iter().map(|&method| method.into()).chain([edges]).collect();
+            }
+            Self::Single | Self::Table1 | Self::Table2 => &[Method::Naive, Method::Scanline],
+            Self::Gather => &[Method::Naive, Method::Scanline, Method::Gather1, Method::Gather2],
+        };
+        methods.iter().map(|&method| method.into()).chain([edges]).collect()
+    }
+
+    /// The scenes as they are measured; fewer and smaller ones if it has to be quick.
+    pub fn settings(self, quick: bool) -> Vec<Setting> {
+        let every = |full: Vec<u32>, few: &[u32]| if quick { few.to_vec() } else { full };
+        let dragon = Setting::matt("dragon", 600, 15.0);
+        let tens = || every((1..=10).map(|i| 10 * i).collect(), &[20, 50]);
+        match self {
+            Self::Target => {
+                [15.0, 50.0].iter().flat_map(|&e| SCENES.map(|scene| Setting::matt(scene, 600, e))).collect()
+            }
+            Self::Dimensions => SCENES
+                .iter()
+                .flat_map(|scene| {
+                    let sides = every((4..=30).map(|i| 50 * i).collect(), &[200, 400]);
+                    sides.into_iter().map(|side| Setting::matt(scene, side, 15.0))
+                })
+                .collect(),
+            Self::Interaxial | Self::ErrorInteraxial => {
+                tens().into_iter().map(|e| Setting { interaxial_px: e as f32, ..dragon.clone() }).collect()
+            }
+            Self::Lights => every((1..=10).collect(), &[1, 5])
+                .into_iter()
+                .map(|lights| Setting { lights: Some(lights), ..dragon.clone() })
+                .collect(),
+            Self::ErrorDimensions => every((1..=8).map(|i| 200 * i).collect(), &[200, 400])
+                .into_iter()
+                .map(|side| Setting::matt("dragon", side, 15.0))
+                .collect(),
+            Self::Single => vec![Setting::adelson("ellipsoids_20", Materials::Own)],
+            Self::Table1 => [Materials::Opaque, Materials::Mirrors, Materials::Glass, Materials::Own]
+                .map(|materials| Setting::adelson("ellipsoids_125", materials))
+                .into(),
+            Self::Table2 => {
+                ["ellipsoids_100", "ellipsoids_1000"].map(|s| Setting::adelson(s, Materials::Own)).into()
+            }
+            Self::Gather if quick => gather_settings().split_off(4),
+            Self::Gather => gather_settings(),
+        }
+    }
+}
+
+fn gather_settings() -> Vec<Setting> {
+    let sizes = [[1024, 768], [800, 600], [640, 480]];
+    let setting = |size: [u32; 2], levels| Setting {
+        scene: "spheres",
+        size,
+        interaxial_px: size[0] as f32 / 40.0,
+        lights: Some(4),
+        materials: Materials::Es,
+        levels: Some(levels),
+    };
+    sizes.into_iter().flat_map(|size| [0, 2].map(|levels| setting(size, levels))).collect()
+}
+
+impl Setting {
+    /// 000's: square, matt, 5 lights.
+    fn matt(scene: &'static str, side: u32, interaxial_px: f32) -> Self {
+        Self {
+            scene,
+            size: [side; 2],
+            interaxial_px,
+            lights: Some(5),
+            materials: Materials::Matt,
+            levels: None,
+        }
+    }
+
+    fn adelson(scene: &'static str, materials: Materials) -> Self {
+        Self {
+            scene,
+            size: [512; 2],
+            interaxial_px: ADELSON_INTERAXIAL,
+            lights: None,
+            materials,
+            levels: None,
+        }
+    }
+
+    /// What to call it.
+    pub fn label(&self) -> String {
+        let Self { scene, size: [width, height], interaxial_px, .. } = self;
+        let lights = self.lights.map_or(String::new(), |lights| format!(" lights={lights}"));
+        let levels = self.levels.map_or(String::new(), |levels| format!(" levels={levels}"));
+        let materials = match self.materials {
+            Materials::Own | Materials::Matt | Materials::Es => "",
+            Materials::Opaque => " opaque",
+            Materials::Mirrors => " mirrors",
+            Materials::Glass => " glass",
+        };
+        format!("{scene} {width}x{height} e={interaxial_px}{lights}{levels}{materials}")
+    }
+
+    /// Makes the scene what the setting says.
+    ///
+    /// # Errors
+    /// When it is beyond what is supported.
+    pub fn apply(&self, scene: &mut Scene) -> Result<(), RenderError> {
+        match self.materials {
+            Materials::Own | Materials::Matt => {}
+            Materials::Opaque => without(scene, true, true),
+            Materials::Mirrors => without(scene, false, true),
+            Materials::Glass => without(scene, true, false),
+            Materials::Es => spheres_of_es(scene),
+        }
+        scene.max_depth = self.levels.unwrap_or(scene.max_depth);
+        let overrides = Overrides {
+            size: Some(self.size),
+            interaxial_px: Some(self.interaxial_px),
+            lights: self.lights,
+            diffuse: self.materials == Materials::Matt,
+        };
+        overrides.apply(scene)
+    }
+}
+
+/// Gives mirrors, or what is transparent, the weights of an ordinary material; highlights stay.
+fn without(scene: &mut Scene, mirrors: bool, glass: bool) {
+    for material in &mut scene.materials {
+        if (mirrors && material.reflection > 0.0) || (glass && material.transmission > 0.0) {
+            (material.reflection, material.transmission) = (0.0, 0.0);
+            (material.ambient, material.diffuse) = (1.0, 0.8);
+        }
+    }
+}
+
+fn spheres_of_es(scene: &mut Scene) {
+    scene.spheres.truncate(100);
+    for sphere in scene.spheres.iter().take(46) {
+        if let Some(material) = scene.materials.get_mut(sphere.material as usize) {
+            material.reflection = 0.5;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::Path;
+
+    fn shipped(name: &str) -> Scene {
+        let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes"));
+        crate::scene::load(&folder.join(name).with_extension("toml")).unwrap()
+    }
+
+    #[test]
+    fn sizes_of_the_benchmarks_are_those_of_tables_5_and_6() {
+        let count = |part: Part| part.settings(false).len();
+        assert_eq!(count(Part::Dimensions), 5 * 27);
+        assert_eq!((count(Part::Interaxial), count(Part::ErrorInteraxial)), (10, 10));
+        assert_eq!(count(Part::ErrorDimensions), 8);
+        let sides: Vec<_> = Part::Dimensions.settings(false).iter().map(|s| s.size[0]).collect();
+        assert_eq!((sides[0], sides[1], sides[26]), (200, 250, 1500));
+        for part in Part::value_variants() {
+            let (few, all) = (part.settings(true), part.settings(false));
+            assert!(!few.is_empty() && few.len() <= all.len(), "{part:?}");
+            assert_eq!(part.methods()[0].method, Method::Naive);
+        }
+    }
+
+    #[test]
+    fn labels_tell_settings_apart() {
+        for part in Part::value_variants() {
+            let mut labels: Vec<_> = part.settings(false).iter().map(Setting::label).collect();
+            let count = labels.len();
+            labels.sort();
+            labels.dedup();
+            assert_eq!(labels.len(), count, "{part:?}");
+        }
+    }
+
+    #[test]
+    fn mirrors_and_glass_can_be_taken_away_each_by_itself() {
+        let with = |materials| {
+            let mut scene = shipped("ellipsoids_125");
+            Setting::adelson("ellipsoids_125", materials).apply(&mut scene).unwrap();
+            let count = |of: fn(&crate::scene::Material) -> f32| {
+                scene.materials.iter().filter(|material| of(material) > 0.0).count()
+            };
+            (count(|m| m.reflection), count(|m| m.transmission), count(|m| m.specular) > 0)
+        };
+        assert_eq!(with(Materials::Opaque), (0, 0, true));
+        assert_eq!(with(Materials::Matt), (0, 0, false));
+        let both = with(Materials::Own);
+        assert!(both.0 > 0 && both.1 > 0);
+        assert_eq!(with(Materials::Mirrors), (both.0, 0, true));
+        assert_eq!(with(Materials::Glass), (0, both.1, true));
+    }
+
+    #[test]
+    fn the_scene_of_003_has_its_numbers() {
+        let mut scene = shipped("spheres");
+        gather_settings()[1].apply(&mut scene).unwrap();
+        assert_eq!((scene.spheres.len(), scene.lights.len(), scene.max_depth), (100, 4, 2));
+        let reflects = |s: &&crate::scene::Sphere| scene.materials[s.material as usize].reflection > 0.0;
+        assert_eq!(scene.spheres.iter().filter(reflects).count(), 46);
+        assert_eq!((scene.rig.width, scene.rig.height), (1024, 768));
+    }
+}
