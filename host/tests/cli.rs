@@ -203,3 +203,35 @@ fn a_broken_guide_is_a_warning() {
     assert_eq!(json(&wide.stdout)["warnings"].as_array().unwrap().len(), 1);
     assert_eq!(run("1").stderr, "");
 }
+
+#[test]
+fn an_animation_goes_on_where_it_was() {
+    let folder = folder();
+    std::fs::write(
+        folder.path().join("balls.toml"),
+        "[camera]\neye = [0, 0, 28]\ntarget = [0, 0, 0]\nwidth = 24\nheight = 16\n\
+         [[object]]\nrandom_spheres = { count = 9, turn_per_frame = 15 }\n",
+    )
+    .unwrap();
+    let render = |arguments: &[&str]| {
+        let common = ["render", "balls.toml", "--backend", "cpu", "--format", "anaglyph"];
+        parallax(folder.path(), &[&common[..], arguments].concat())
+    };
+    let whole = render(&["--frames", "0..3", "--out", "whole"]);
+    assert_eq!(whole.code, 0, "{}", whole.stderr);
+    assert_eq!(render(&["--frames", "0..1", "--out", "parts"]).code, 0);
+    let rest = render(&["--frames", "0..3", "--out", "parts"]);
+    assert!(rest.stdout.contains("balls_000001.exr is there"), "{}", rest.stdout);
+    let (parts, whole) = (folder.path().join("parts"), folder.path().join("whole"));
+    assert_eq!(names(&parts), names(&whole));
+    assert_eq!(names(&parts).len(), 9, "two files a frame, and how they were made");
+    let bytes =
+        |folder: &Path, frame: u32| std::fs::read(folder.join(format!("balls_{frame:06}.exr"))).unwrap();
+    for frame in 0..4 {
+        assert!(bytes(&parts, frame) == bytes(&whole, frame), "frame {frame}");
+    }
+    assert!(bytes(&whole, 0) != bytes(&whole, 1), "nothing turns");
+    let other = render(&["--frames", "0..3", "--out", "parts", "--aov"]);
+    assert_refused(&other, 2, "another `aov` (false instead of true)");
+    assert_refused(&render(&["--frames", "3..1"]), 2, "expected the first and the last frame");
+}

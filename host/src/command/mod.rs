@@ -8,6 +8,7 @@ mod bench;
 mod devices;
 mod diff;
 mod failure;
+mod frames;
 mod info;
 mod locate;
 mod options;

@@ -46,10 +46,21 @@ pub struct Loaded {
 impl SceneOptions {
     /// Finds and reads the scene and changes it as asked.
     pub fn load(&self) -> Result<Loaded, Failure> {
+        self.load_frame(0)
+    }
+
+    /// Whether all materials are made matt.
+    pub fn is_diffuse(&self) -> bool {
+        self.diffuse
+    }
+
+    /// The same for a frame of an animation.
+    pub fn load_frame(&self, frame: u32) -> Result<Loaded, Failure> {
         let started = Instant::now();
         let path = locate::scene(self.scene.as_deref()).usage()?;
-        let mut scene =
-            scene::load(&path).with_context(|| format!("bad scene {}", path.display())).usage()?;
+        let mut scene = scene::load_frame(&path, frame)
+            .with_context(|| format!("bad scene {}", path.display()))
+            .usage()?;
         let overrides = Overrides {
             size: self.size,
             interaxial_px: self.interaxial,

@@ -1,16 +1,19 @@
 //! `parallax render`.
 
 use super::failure::{Blame, Failure};
+use super::frames::{self, Frames};
 use super::options::{DeviceOptions, Loaded, MethodOptions, SceneOptions};
 use super::progress::Progress;
 use super::report::{self, JsonOption, duration, grouped};
-use parallax::backend::{self, Backend};
+use parallax::backend::{self, Backend, Device};
 use parallax::build::Quality;
 use parallax::output::{self, Format};
 use parallax::render::stereo::statistics::StereoReport;
-use parallax::render::{self, RayTotals, SceneData, StageTime};
+use parallax::render::{self, RayTotals, SceneData, StageTime, StereoOptions};
 use serde::Serialize;
+use serde_json::{Map, Value};
 use std::fmt;
+use std::hash::{DefaultHasher, Hasher};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
@@ -21,6 +24,8 @@ Examples:
   parallax render scenes/spot.toml --size 1200x900 --format anaglyph
   parallax render model.ply --interaxial 20 --aov --out pictures
   parallax render --backend gpu --adapter llvmpipe --json -
+  parallax render --method atomic --verify edges --first right
+  parallax render spheres_turned --frames 0..239 --out turning    (stopped, it goes on where it was)
 
 Files: NAME.exr holds both views in linear light (attribute multiView; with --aov also t, disparity, prim_id
 and normal); NAME_left.png, NAME_right.png, NAME_anaglyph.png and NAME_side-by-side.png are sRGB.";
@@ -41,6 +46,9 @@ pub struct Options {
     /// Add t, disparity, primitive id and normal to the EXR file.
     #[arg(long)]
     aov: bool,
+    /// Frames of an animation, first and last: NAME_000000.exr and so on. What is there already is kept.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Frames>,
     /// Folder for the files; it is made if it does not exist.
     #[arg(long, value_name = "DIR", default_value = "out")]
     out: PathBuf,
@@ -73,28 +81,99 @@ struct Report {
 
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
-    let started = Instant::now();
     let stereo = options.method.stereo()?;
-    let Loaded { scene, path, warnings, seconds } = options.scene.load()?;
-    report::warn(&warnings);
+    match options.frames {
+        Some(frames) => animate(options, &stereo, frames),
+        None => {
+            let started = Instant::now();
+            let loaded = options.scene.load()?;
+            report::warn(&loaded.warnings);
+            let mut device = backend::select(&options.device.selection()).work()?;
+            let name = loaded.scene.name.clone();
+            options.json.publish(&render(options, &stereo, loaded, &mut device, &name, started)?)?;
+            Ok(ExitCode::SUCCESS)
+        }
+    }
+}
+
+/// Renders the frames that are not there yet. JSON is an object a line, for each frame that was rendered.
+fn animate(options: &Options, stereo: &StereoOptions, frames: Frames) -> Result<ExitCode, Failure> {
+    let first = options.scene.load_frame(frames.first)?;
+    report::warn(&first.warnings);
+    let mut device = backend::select(&options.device.selection()).work()?;
+    frames::claim(&options.out, &first.scene.name, &settings(options, stereo, &first)?)?;
+    let (mut text, mut lines) = (Vec::new(), Vec::new());
+    for frame in frames.first..=frames.last {
+        let picture = frames::picture(&options.out, &first.scene.name, frame);
+        if picture.is_file() {
+            text.push(format!("frame {frame}: {} is there", picture.display()));
+            continue;
+        }
+        let started = Instant::now();
+        let loaded = options.scene.load_frame(frame)?;
+        let name = frames::name(&first.scene.name, frame);
+        let report = render(options, stereo, loaded, &mut device, &name, started)?;
+        let rays = grouped(report.rays.all());
+        text.push(format!(
+            "frame {frame}: {} in {}, {rays} rays",
+            picture.display(),
+            duration(report.seconds)
+        ));
+        lines.push(serde_json::to_string(&report).work()?);
+    }
+    options.json.publish_text(&text.join("\n"), || Ok(lines.join("\n")))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Everything on which the files of a frame depend, but for the frame.
+fn settings(
+    options: &Options,
+    stereo: &StereoOptions,
+    first: &Loaded,
+) -> Result<Map<String, Value>, Failure> {
+    let rig = &first.scene.rig;
+    let mut content = DefaultHasher::new();
+    content.write(&std::fs::read(&first.path).work()?);
+    let settings: [(_, Value); 10] = [
+        ("scene", format!("{:016x}", content.finish()).into()),
+        ("width", rig.width.into()),
+        ("height", rig.height.into()),
+        ("interaxial_px", rig.interaxial_px.into()),
+        ("lights", first.scene.lights.len().into()),
+        ("diffuse", options.scene.is_diffuse().into()),
+        ("method", format!("{stereo:?}").into()),
+        ("profile", options.device.selection().profile.name().into()),
+        ("format", format!("{:?}", options.format).into()),
+        ("aov", options.aov.into()),
+    ];
+    Ok(settings.map(|(key, value)| (key.to_string(), value)).into_iter().collect())
+}
+
+/// Renders the scene and writes its files, which are called `name`.
+fn render(
+    options: &Options,
+    stereo: &StereoOptions,
+    loaded: Loaded,
+    device: &mut Device,
+    name: &str,
+    started: Instant,
+) -> Result<Report, Failure> {
+    let Loaded { scene, path, warnings, seconds } = loaded;
     let mut stages = vec![StageTime { view: None, stage: "load", seconds }];
-    let selection = options.device.selection();
-    let mut device = backend::select(&selection).work()?;
     let mut clock = Clock(Instant::now());
     let data = SceneData::new(&scene, Quality::Full).usage()?;
     stages.push(clock.stage("build"));
 
     let mut progress = Progress::new();
-    let mut tell = |done, total| progress.update("rendering", done, total);
-    let frame = render::render(&mut device, &data, &stereo, &mut tell).work()?;
+    let mut tell = |done, total| progress.update(name, done, total);
+    let frame = render::render(device, &data, stereo, &mut tell).work()?;
     drop(progress);
     stages.extend(frame.times);
 
     clock = Clock(Instant::now());
-    let files =
-        output::write(&frame.images, &options.out, &scene.name, options.format, options.aov).work()?;
+    let files = output::write(&frame.images, &options.out, name, options.format, options.aov).work()?;
     stages.push(clock.stage("write files"));
-    options.json.publish(&Report {
+    Ok(Report {
         scene: scene.name,
         scene_file: path,
         primitives: data.primitives(),
@@ -105,15 +184,14 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
         interaxial_px: scene.rig.interaxial_px,
         method: stereo.method.name(),
         backend: device.describe(),
-        profile: selection.profile.name(),
+        profile: options.device.selection().profile.name(),
         stages,
         seconds: started.elapsed().as_secs_f64(),
         rays: frame.rays,
         stereo: frame.stereo,
         warnings,
         files,
-    })?;
-    Ok(ExitCode::SUCCESS)
+    })
 }
 
 /// Times one thing after another.

@@ -93,8 +93,16 @@ pub struct Picture {
 /// # Errors
 /// Whatever is wrong with the file, with its name and, where there is one, the line: see [`SceneError`].
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
+    load_frame(path, 0)
+}
+
+/// The same for a frame of an animation, counted from 0. Each frame is worked out from its number alone.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn load_frame(path: &Path, frame: u32) -> Result<Scene, SceneError> {
     match path.extension().and_then(|s| s.to_str()) {
-        Some(suffix) if suffix.eq_ignore_ascii_case("toml") => file::load(path),
+        Some(suffix) if suffix.eq_ignore_ascii_case("toml") => file::load(path, frame),
         _ => bare::load(path),
     }
 }

@@ -67,14 +67,16 @@ use schema::Document;
 /// The largest scene file that is read: 16 MiB.
 const MAX_BYTES: u64 = 1 << 24;
 
-/// Reads a scene file and all that it names.
-pub(super) fn load(path: &Path) -> Result<Scene, SceneError> {
+/// Reads a scene file and all that it names, as it is in a frame of an animation.
+pub(super) fn load(path: &Path, frame: u32) -> Result<Scene, SceneError> {
     let bytes = files::read(path, MAX_BYTES)?;
     let text = std::str::from_utf8(&bytes)
         .map_err(|e| error(path, &bytes, e.valid_up_to()..e.valid_up_to(), "not UTF-8".into()))?;
     let source = Source { path, text };
-    let document: Document = toml::from_str(text)
+    let mut document: Document = toml::from_str(text)
         .map_err(|e| source.error(e.span().unwrap_or_default(), e.message().trim().to_string()))?;
+    let spheres = document.object.iter_mut().filter_map(|object| object.as_mut().random_spheres.as_mut());
+    spheres.for_each(|spheres| spheres.frame = frame);
     Assembly::new(&source).scene(document)
 }
 

@@ -1,4 +1,4 @@
-//! The Fixed and Animated Spheres of Es (table 4): 1000 randomly distributed spheres, at rest or rotating
+//! The Fixed and Animated Spheres of 000 (table 4): 1000 randomly distributed spheres, at rest or rotating
 //! about the y axis.
 
 use serde::Deserialize;
@@ -26,12 +26,27 @@ pub struct RandomSpheres {
     pub radius: Range,
     /// Rotation about the y axis, degrees; default 0.
     pub turn: Angle,
+    /// By how much each further frame of an animation is rotated, degrees; default 0.
+    pub turn_per_frame: Angle,
+    /// Which frame; 0 unless [`load_frame`](crate::scene::load_frame) says otherwise.
+    #[serde(skip)]
+    pub frame: u32,
 }
 
 impl Default for RandomSpheres {
     fn default() -> Self {
         let (low, high) = (Point([-10.0; 3]), Point([10.0; 3]));
-        Self { count: 1000, seed: 1, low, high, radius: Range([0.2, 0.6]), turn: Angle(0.0) }
+        let (turn, turn_per_frame) = (Angle(0.0), Angle(0.0));
+        Self { count: 1000, seed: 1, low, high, radius: Range([0.2, 0.6]), turn, turn_per_frame, frame: 0 }
+    }
+}
+
+impl RandomSpheres {
+    /// Degrees about the y axis in this frame. From the frame's number and not from the frame before, so that
+    /// nothing adds up however long an animation is.
+    fn angle(&self) -> f32 {
+        let turned = f64::from(self.frame) * f64::from(self.turn_per_frame.0) % 360.0;
+        (f64::from(self.turn.0) + turned) as f32
     }
 }
 
@@ -43,7 +58,7 @@ impl Generate for RandomSpheres {
     fn shapes(&self) -> Shapes {
         let mut shapes = Shapes::default();
         let mut random = SplitMix64::new(self.seed);
-        let turn = rotation([0.0, self.turn.0, 0.0]);
+        let turn = rotation([0.0, self.angle(), 0.0]);
         for _ in 0..self.count {
             let centre = times(&turn, random.point(self.low.0, self.high.0).map(f64::from));
             let radius = random.uniform(self.radius.0[0], self.radius.0[1]);
@@ -57,6 +72,16 @@ impl Generate for RandomSpheres {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ten_thousand_turns_end_where_they_began() {
+        let frame = |frame| RandomSpheres { turn_per_frame: Angle(1.5), frame, ..RandomSpheres::default() };
+        assert_eq!(frame(2_400_000).shapes(), RandomSpheres::default().shapes());
+        assert_eq!(
+            frame(20).shapes(),
+            RandomSpheres { turn: Angle(30.0), ..RandomSpheres::default() }.shapes()
+        );
+    }
 
     #[test]
     fn turning_keeps_height_and_distance() {
