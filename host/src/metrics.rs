@@ -3,9 +3,15 @@
 use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::Hit;
 use parallax_shared::output::tonemap::srgb8_colour;
+use rayon::prelude::*;
+
+/// Linear colours as 8-bit sRGB, as PNG files have them: what the errors below are of.
+pub fn srgb8(colours: &[[f32; 4]]) -> Vec<[u8; 3]> {
+    colours.par_iter().map(|[red, green, blue, _]| srgb8_colour([*red, *green, *blue])).collect()
+}
 
 /// Mean squared error of 8-bit sRGB components, as Al-Hagri 2012 §4.5.2 has it: Σ‖c − c̄‖² / (3 · pixels). 0 without pixels.
-pub fn mse(picture: &[[f32; 4]], reference: &[[f32; 4]]) -> f64 {
+pub fn mse(picture: &[[u8; 3]], reference: &[[u8; 3]]) -> f64 {
     let squares: f64 = picture.iter().zip(reference).map(|(a, b)| squared_distance(a, b)).sum();
     if picture.is_empty() { 0.0 } else { squares / (3.0 * picture.len() as f64) }
 }
@@ -16,7 +22,7 @@ pub fn psnr(mse: f64) -> f64 {
 }
 
 /// Of the pixels whose colours differ: their share, and their mean distance in units of 8-bit sRGB (Adelson and Hodges 1993, §5).
-pub fn differing(picture: &[[f32; 4]], reference: &[[f32; 4]]) -> (f64, f64) {
+pub fn differing(picture: &[[u8; 3]], reference: &[[u8; 3]]) -> (f64, f64) {
     let distances = picture.iter().zip(reference).map(|(a, b)| squared_distance(a, b).sqrt());
     let differing: Vec<f64> = distances.filter(|distance| *distance > 0.0).collect();
     if differing.is_empty() {
@@ -37,8 +43,8 @@ pub fn wrong_depth(interaxial_px: f32, shown: &[Hit], reference: &[Hit]) -> f64 
 /// that rounding (see [`wrong_depth`]), though not the very same point. 0 without any error. Pictures are colours and hits.
 pub fn rounding_share(
     interaxial_px: f32,
-    picture: (&[[f32; 4]], &[Hit]),
-    reference: (&[[f32; 4]], &[Hit]),
+    picture: (&[[u8; 3]], &[Hit]),
+    reference: (&[[u8; 3]], &[Hit]),
 ) -> f64 {
     let (mut rounding, mut all) = (0.0, 0.0);
     let pixels = picture.0.iter().zip(picture.1).zip(reference.0.iter().zip(reference.1));
@@ -57,17 +63,22 @@ fn is_wrong(interaxial_px: f32, shown: &Hit, truth: &Hit) -> bool {
     (disparity_px(interaxial_px, shown.t) - disparity_px(interaxial_px, truth.t)).abs() > 1.001
 }
 
-fn squared_distance(a: &[f32; 4], b: &[f32; 4]) -> f64 {
-    let bytes = |c: &[f32; 4]| srgb8_colour([c[0], c[1], c[2]]);
-    bytes(a).into_iter().zip(bytes(b)).map(|(a, b)| (f64::from(a) - f64::from(b)).powi(2)).sum()
+fn squared_distance(a: &[u8; 3], b: &[u8; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const BLACK: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
-    const RED: [f32; 4] = [1.0, 0.0, 0.0, 1.0];
+    const BLACK: [u8; 3] = [0, 0, 0];
+    const RED: [u8; 3] = [255, 0, 0];
+
+    #[test]
+    fn colours_are_compared_as_files_have_them() {
+        assert_eq!(srgb8(&[[0.0, 0.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0]]), [BLACK, RED]);
+        assert_eq!(srgb8(&[[0.5, 0.5, 0.5, 0.0]]), [[188; 3]]);
+    }
 
     #[test]
     fn equal_pictures_have_no_error() {
@@ -97,7 +108,7 @@ mod tests {
     fn errors_at_the_right_depth_are_those_of_rounding() {
         let hit = |t| Hit { t, prim_id: 0 };
         let (shown, truth) = ([hit(2.0), hit(2.0)], [hit(1.98), hit(f32::INFINITY)]);
-        let share = |a: &[[f32; 4]], b: &[[f32; 4]]| rounding_share(10.0, (a, &shown), (b, &truth));
+        let share = |a: &[[u8; 3]], b: &[[u8; 3]]| rounding_share(10.0, (a, &shown), (b, &truth));
         assert_eq!(share(&[RED, BLACK], &[BLACK, BLACK]), 1.0);
         assert_eq!(share(&[BLACK, RED], &[BLACK, BLACK]), 0.0);
         assert_eq!(share(&[RED, RED], &[BLACK, BLACK]), 0.5);

@@ -4,6 +4,7 @@ use super::paper::{COST, MSE};
 use super::plot::{Plot, Point, Series, escaped, number};
 use super::{Measured, Part};
 use crate::bench::BenchLine;
+use crate::render::Method;
 use std::fmt::Write;
 
 /// The page without its content.
@@ -51,7 +52,11 @@ fn plots(part: Part, measured: &[&Measured]) -> Vec<Plot> {
             plots.push(Plot { title: title.into(), x: axis.into(), y: y.into(), series: vec![] });
         }
         let Some(plot) = plots.iter_mut().find(|plot| plot.title == title) else { continue };
-        for line in measured.lines.iter().filter(|line| line.metric == metric) {
+        // The copy's error is so large that the others would lie on the axis; its numbers are in the table.
+        let drawn = |line: &&BenchLine| {
+            line.metric == metric && (metric == COST || line.method != Method::Ideal.name())
+        };
+        for line in measured.lines.iter().filter(drawn) {
             add(plot, line, x, measured.printed(line));
         }
     }
@@ -91,7 +96,6 @@ fn table<'a>(lines: impl Iterator<Item = &'a BenchLine>) -> String {
 mod tests {
     use super::*;
     use crate::bench::stereo::refer;
-    use crate::render::Method;
 
     /// Made-up measurements of a part, with a value that grows from line to line.
     fn made_up(part: Part) -> Vec<Measured> {
@@ -132,7 +136,8 @@ mod tests {
         }
         for part in [Part::Dimensions, Part::ErrorInteraxial] {
             let scenes = if part == Part::Dimensions { 5 } else { 1 };
-            curves += scenes * part.methods().len();
+            let methods = part.methods().len();
+            curves += scenes * if part.is_error() { methods - 1 } else { methods };
         }
         let page = page("two cores & a fan", &measured);
         assert_eq!(page.matches("<tr><td>").count(), lines);

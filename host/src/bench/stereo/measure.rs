@@ -12,6 +12,7 @@ use crate::render::band::{Band, EYES, Pair};
 use crate::render::stereo::Plan;
 use crate::render::stereo::statistics::{StereoReport, StereoStatistics};
 use crate::render::{Method, RenderError, Renderer, SceneData, StereoOptions, Verify};
+use parallax_shared::layout::Hit;
 use std::collections::BTreeMap;
 
 /// What is measured of a scene.
@@ -118,10 +119,11 @@ fn qualities(cpu: &mut Cpu, case: &Case<'_>) -> Result<Vec<Vec<Quality>>, Render
     };
     let Some((reference, others)) = case.methods.split_first() else { return Ok(vec![]) };
     let (_, naive) = pair(reference)?;
+    let truth = Picture { colours: metrics::srgb8(naive.second.colour()), hits: naive.second.hits() };
     let mut qualities = vec![vec![]];
     for options in others {
         let (plan, pair) = pair(options)?;
-        let mut of_method = quality(case.data, &pair, &naive);
+        let mut of_method = quality(case.data, &pair, &truth);
         of_method.extend(counts(case.data, &plan, &pair));
         qualities.push(of_method);
     }
@@ -175,20 +177,24 @@ fn times(
     Ok(measured)
 }
 
-/// How far the second view is from the naive one.
-fn quality(data: &SceneData, pair: &Pair, naive: &Pair) -> Vec<Quality> {
-    let (shown, truth) = (&pair.second, &naive.second);
+/// A second view as errors are taken of it.
+struct Picture<'a> {
+    colours: Vec<[u8; 3]>,
+    hits: &'a [Hit],
+}
+
+/// How far the second view is from the traced one.
+fn quality(data: &SceneData, pair: &Pair, truth: &Picture<'_>) -> Vec<Quality> {
     let e = data.views[0].interaxial_px;
-    let mse = metrics::mse(shown.colour(), truth.colour());
-    let (share, distance) = metrics::differing(shown.colour(), truth.colour());
-    let rounding = metrics::rounding_share(e, (shown.colour(), shown.hits()), (truth.colour(), truth.hits()));
-    let wrong = metrics::wrong_depth(e, shown.hits(), truth.hits());
+    let (shown, hits) = (&metrics::srgb8(pair.second.colour()), pair.second.hits());
+    let (share, distance) = metrics::differing(shown, &truth.colours);
+    let rounding = metrics::rounding_share(e, (shown, hits), (&truth.colours, truth.hits));
     vec![
-        (MSE, "", mse),
+        (MSE, "", metrics::mse(shown, &truth.colours)),
         ("of it rounding to pixels", "%", 100.0 * rounding),
         (DIFFERING, "%", 100.0 * share),
         (DISTANCE, "", distance),
-        (WRONG_DEPTH, "%", 100.0 * wrong),
+        (WRONG_DEPTH, "%", 100.0 * metrics::wrong_depth(e, hits, truth.hits)),
     ]
 }
 

@@ -154,7 +154,9 @@ impl Part {
         let tens = || every((1..=10).map(|i| 10 * i).collect(), &[20, 50]);
         match self {
             Self::Target => {
-                [15.0, 50.0].iter().flat_map(|&e| SCENES.map(|scene| Setting::matt(scene, 600, e))).collect()
+                let far: &[&'static str] = if quick { &["spheres", "dragon"] } else { &SCENES };
+                let near = SCENES.iter().map(|scene| Setting::matt(scene, 600, 15.0));
+                near.chain(far.iter().map(|scene| Setting::matt(scene, 600, 50.0))).collect()
             }
             Self::Dimensions => SCENES
                 .iter()
