@@ -66,7 +66,9 @@ fn help_is_there_and_has_examples() {
 #[test]
 fn bad_usage_is_code_2() {
     let folder = folder();
-    let cases: [(&[&str], &str); 9] = [
+    let cases: [(&[&str], &str); 11] = [
+        (&["bench", "stereo", "model.obj", "--part", "target"], "cannot be used with"),
+        (&["bench", "stereo", "--size", "8x8"], "required arguments were not provided"),
         (&["paint"], "unrecognized subcommand"),
         (&["render", "--colour"], "unexpected argument"),
         (&["render", "model.obj", "--backend", "tpu"], "[possible values: auto, cpu, gpu]"),
@@ -165,6 +167,25 @@ fn json_on_stdout_comes_alone() {
     assert_eq!(json(&render.stdout)["width"], 16);
     let devices = json(&parallax(folder.path(), &["devices", "--json", "-"]).stdout);
     assert!(devices["adapters"].is_array() && devices["used"].is_string());
+}
+
+#[test]
+fn second_views_are_measured_by_every_method() {
+    let folder = folder();
+    let (bench, options) = (["bench", "stereo", "model.obj", "--json", "-"], ["--repetitions", "1"]);
+    let sizes = ["--size", "16x12,8x8", "--interaxial", "4"];
+    let run = parallax(folder.path(), &[&bench[..], &options, &sizes].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let lines: Vec<_> = run.stdout.lines().map(json).collect();
+    let costs: Vec<_> = lines.iter().filter(|line| line["metric"] == "second view / mono").collect();
+    for case in ["model 16x12 e=4 lights=5", "model 8x8 e=4 lights=5"] {
+        for method in ["naive", "ideal", "scanline", "gather-2", "buffer", "atomic verify=edges"] {
+            let found = costs.iter().filter(|line| line["case"] == case && line["method"] == method);
+            assert_eq!(found.count(), 1, "{case} {method}");
+        }
+    }
+    assert!(costs.iter().all(|line| line["value"].as_f64().is_some_and(|cost| cost > 0.0)));
+    assert!(lines.iter().any(|line| line["metric"] == "mse" && line["bench"] == "stereo"));
 }
 
 #[test]
