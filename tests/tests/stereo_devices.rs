@@ -43,7 +43,7 @@ fn assert_equal(driver: Driver, runs: usize) {
     let Some(mut gpu) = open(driver, Profile::Strict) else { return };
     for name in ["default", "spheres"] {
         let data = scene(name);
-        for options in options().chain([StereoOptions::from(Method::Ideal)]) {
+        for options in options().chain([Method::Ideal.into(), Method::Guided.into()]) {
             let once =
                 diff::against_gpu(&mut Cpu::new(0).unwrap(), &mut gpu, &data, &options, &mut |_, _| {})
                     .unwrap();

@@ -57,6 +57,26 @@ fn bad_pixels(data: &SceneData, shown: &[Hit], naive: &[Hit]) -> usize {
     shown.iter().zip(naive).filter(|(shown, naive)| disparity(naive) < disparity(shown) - 1.001).count()
 }
 
+/// The exact method: every hit and every colour of every scene is that of naive rays.
+#[test]
+fn guided_rays_find_what_naive_rays_find() {
+    let mut guided = 0;
+    for path in shipped() {
+        let Some(data) = data_at(&path, SIZE) else { continue };
+        for first in ORDERS {
+            let truth = naive(&data, first);
+            let shown = inferred(pair(&data, &StereoOptions { first, ..Method::Guided.into() }));
+            let what = format!("{}, {first:?}", name(&path));
+            assert!(words(&shown.hits) == words(&truth.hits), "{what}");
+            assert!(words(&shown.surfaces) == words(&truth.surfaces), "{what}");
+            assert!(words(shown.colour()) == words(truth.colour()), "{what}");
+            assert_eq!(shown.shadow_rays, truth.shadow_rays, "{what}");
+            guided += shown.source.iter().filter(|&&word| source::kind(word) == source::GUIDED).count();
+        }
+    }
+    assert!(guided > 10_000, "only {guided} rays had anything to begin with");
+}
+
 #[test]
 fn full_verification_leaves_no_bad_pixel_and_without_there_are_some() {
     let (mut without, mut edges) = (0, 0);

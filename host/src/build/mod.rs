@@ -7,8 +7,9 @@
 pub mod binned;
 pub mod boxes;
 pub mod collapse;
+pub mod leaves;
 pub mod validate;
-pub mod write;
+mod write;
 
 use boxes::Primitives;
 use obvhs::bvh2::Bvh2;

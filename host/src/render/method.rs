@@ -33,6 +33,8 @@ pub enum Method {
     Buffer,
     /// An atomic maximum per pixel (Al-Hagri 2012, §3.1.2.2).
     Atomic,
+    /// Everything is traced, beginning with what the source shows: the pictures of `naive`, bit for bit.
+    Guided,
 }
 
 /// Which candidates a ray of bounded length verifies: a nearer surface that the source does not show may hide them.
@@ -137,6 +139,7 @@ impl Method {
             Self::Gather2 => "gather-2",
             Self::Buffer => "buffer",
             Self::Atomic => "atomic",
+            Self::Guided => "guided",
         }
     }
 
@@ -168,7 +171,7 @@ impl StereoOptions {
     pub fn check(&self) -> Result<(), RenderError> {
         let wrong = |what| Err(RenderError::Options { method: self.method.name(), what });
         match self.method {
-            Method::Naive | Method::Ideal if self.verify.is_some() => {
+            Method::Naive | Method::Ideal | Method::Guided if self.verify.is_some() => {
                 wrong("has no candidates that could be verified")
             }
             Method::Ideal if self.shadows == Shadows::Trace => wrong("traces nothing in the second view"),

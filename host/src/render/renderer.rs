@@ -88,7 +88,8 @@ impl<'a, B: Backend> Renderer<'a, B> {
         match &buffers.second {
             SecondView::Traced(second) => second.run(data, &scene, views[1], stages),
             SecondView::Inferred(second) => {
-                stereo::second_view(plan, data, &scene, &buffers.source, second, views[1], stages)
+                let (scene, source) = (&scene, &buffers.source);
+                stereo::SecondView { plan, data, scene, source, second, view: views[1] }.run(stages)
             }
         }
     }

@@ -22,6 +22,8 @@ pub struct SceneData {
     pub info: SceneInfo,
     /// The acceleration structure.
     pub rows: Vec<Row>,
+    /// The link to the pack of each primitive.
+    pub leaves: Vec<u32>,
     /// Triangles, for shading.
     pub triangles: Vec<Triangle>,
     /// Spheres, ellipsoids, materials, lights and textures.
@@ -85,6 +87,7 @@ impl SceneData {
         let effects = Effects::of_scene(&info, &materials, &triangles);
         Ok(Self {
             info,
+            leaves: bvh.leaves(),
             rows: bvh.rows,
             triangles,
             records,

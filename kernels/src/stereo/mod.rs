@@ -2,6 +2,7 @@
 
 pub mod copy;
 pub mod gloss;
+pub mod guided;
 pub mod inherit;
 pub mod light;
 pub mod scanline;

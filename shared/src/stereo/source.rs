@@ -13,6 +13,10 @@ pub const HOLE: u32 = 2;
 pub const GAP: u32 = 3;
 /// The ray that should verify a candidate met something nearer, which is what the pixel shows (000's bad pixel).
 pub const BAD: u32 = 4;
+/// Traced, beginning where the source's hit lies (the exact method).
+pub const GUIDED: u32 = 5;
+/// Traced, without anything to begin with (the exact method).
+pub const UNGUIDED: u32 = 6;
 
 /// The word of a pixel for which the source's `column` was used.
 #[inline(always)]
@@ -52,7 +56,7 @@ mod tests {
     fn both_parts_come_back() {
         let source = from_column(VERIFIED, 32_767);
         assert_eq!((kind(source), column(source), is_reused(source)), (VERIFIED, 32_767, true));
-        for kind in [HOLE, GAP, BAD] {
+        for kind in [HOLE, GAP, BAD, GUIDED, UNGUIDED] {
             assert_eq!((super::kind(traced(kind)), is_reused(traced(kind))), (kind, false));
         }
     }

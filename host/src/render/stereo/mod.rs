@@ -17,15 +17,17 @@ use super::method::{Method, Shadows, StereoOptions, Verify};
 use super::renderer::Stages;
 use super::{RenderError, SceneData};
 use crate::backend::{Backend, BackendError};
+use kernel_api::Buffer;
 use parallax_kernels::stereo::{
-    copy::Copy, gloss::Gloss, inherit::Inherit, light::Light, settle::Settle, trace::Trace,
+    copy::Copy, gloss::Gloss, guided::Guided, inherit::Inherit, light::Light, settle::Settle, trace::Trace,
 };
 use parallax_kernels::{shade::Shade, shadow::Shadow};
 use parallax_shared::effects::Effects;
-use parallax_shared::layout::{Reprojection, View};
+use parallax_shared::layout::{Reprojection, Surface, View};
 use parallax_shared::stereo::run::RUN;
 use parallax_shared::stereo::settle::{VERIFY_ALL, VERIFY_EDGES, VERIFY_NONE};
 use second::SecondBuffers;
+use tables::TableBuffers;
 
 /// What a scene and the options say of every band's reprojection.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,88 +77,103 @@ impl Plan {
         Reprojection { rows, ..self.reprojection }
     }
 
+    /// Whether the light that points of the source see is theirs in the second view, too, or everything is traced at once.
+    pub(super) fn reuses_shadows(&self) -> bool {
+        self.options.shadows == Shadows::Reuse || self.options.method == Method::Guided
+    }
+
     /// Words that the largest buffer with an element per pixel has for it.
     pub fn words_per_pixel(&self) -> u32 {
         self.reprojection.depth
     }
 }
 
-/// Makes the second view `view` of a band from `source`, which has been rendered.
-pub(super) fn second_view<B: Backend>(
-    plan: &Plan,
-    data: &SceneData,
-    scene: &SceneBuffers,
-    source: &BandBuffers,
-    second: &SecondBuffers,
-    view: View,
-    stages: &mut Stages<'_, '_, B>,
-) -> Result<(), BackendError> {
-    let pixels = view.width * view.rows;
-    if plan.options.method == Method::Ideal {
-        return stages.run_over(&Copy { colours: source.colour(), copied: second.colours }, [pixels, 1, 1]);
-    }
-    let p = tables::fill(plan, &second.tables, plan.of_band(view.rows), source.hits, stages)?;
-    let SceneBuffers { rows, triangles, records, texels } = *scene;
-    let (info, effects) = (data.info, data.effects.0);
-    let settle = Settle {
-        p,
-        candidates: second.tables.candidates,
-        gaps: second.tables.gaps,
-        source_hits: source.hits,
-        source_colours: source.local,
-        words: second.source,
-        hits: second.hits,
-        colours: second.colours,
-    };
-    stages.run_over(&settle, [p.width.div_ceil(RUN), p.rows, 1])?;
-    let (words, hits, source_hits) = (second.source, second.hits, source.hits);
-    stages.run(&Trace { p, view, info, rows, source_hits, words, hits }, &view)?;
-    let (from, colours) = (second.source, second.colours);
-    if plan.options.shadows == Shadows::Reuse {
-        let counts = second.light_rays;
-        let light = Light {
-            view,
-            info,
-            rows,
-            triangles,
-            records,
-            texels,
-            source: from,
-            hits,
-            colours,
-            counts,
-            effects,
-        };
-        stages.run(&light, &view)?;
-        if p.copies == 0 {
-            let (source_surfaces, source_seen) = (source.surfaces, source.shadow);
-            let gloss = Gloss {
-                view,
-                info,
-                records,
-                texels,
-                source: from,
-                source_surfaces,
-                source_seen,
-                colours,
-                effects,
-            };
-            stages.run(&gloss, &view)?;
+/// Everything that the passes of a second view need.
+#[derive(Clone, Copy)]
+pub(super) struct SecondView<'a> {
+    pub plan: &'a Plan,
+    pub data: &'a SceneData,
+    pub scene: &'a SceneBuffers,
+    /// The first view, which has been rendered.
+    pub source: &'a BandBuffers,
+    pub second: &'a SecondBuffers,
+    pub view: View,
+}
+
+impl SecondView<'_> {
+    /// Makes the second view of a band.
+    pub fn run<B: Backend>(&self, stages: &mut Stages<'_, '_, B>) -> Result<(), BackendError> {
+        let Self { plan, data, scene, source, second, view } = *self;
+        if plan.options.method == Method::Ideal {
+            let pixels = view.width * view.rows;
+            return stages
+                .run_over(&Copy { colours: source.colour(), copied: second.colours }, [pixels, 1, 1]);
+        }
+        let p = tables::fill(plan, &second.tables, plan.of_band(view.rows), source.hits, stages)?;
+        self.find(p, stages)?;
+        if plan.reuses_shadows() {
+            self.light(p, stages)?;
+        }
+        let Some(surfaces) = second.surfaces else { return Ok(()) };
+        self.inherit(surfaces, stages)?;
+        match second.bounced {
+            Some(bounced) => bounced.run(data, scene, view, surfaces, second.colours, stages),
+            None => Ok(()),
         }
     }
-    let Some(surfaces) = second.surfaces else { return Ok(()) };
-    let source_surfaces = source.surfaces;
-    let inherit =
-        Inherit { view, info, triangles, records, source: from, source_surfaces, hits, surfaces, effects };
-    stages.run(&inherit, &view)?;
-    if let Some(seen) = second.seen {
-        let counts = second.light_rays;
-        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
-        stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)?;
+
+    /// What each pixel shows.
+    fn find<B: Backend>(&self, p: Reprojection, stages: &mut Stages<'_, '_, B>) -> Result<(), BackendError> {
+        let Self { plan, data, scene, source, second, view } = *self;
+        let (info, rows) = (data.info, scene.rows);
+        let (words, hits, colours, source_hits) = (second.source, second.hits, second.colours, source.hits);
+        let TableBuffers { candidates, gaps, .. } = second.tables;
+        if plan.options.method == Method::Guided {
+            let leaves = scene.leaves;
+            return stages
+                .run(&Guided { p, view, info, rows, leaves, candidates, source_hits, words, hits }, &view);
+        }
+        let source_colours = source.local;
+        let settle = Settle { p, candidates, gaps, source_hits, source_colours, words, hits, colours };
+        stages.run_over(&settle, [p.width.div_ceil(RUN), p.rows, 1])?;
+        stages.run(&Trace { p, view, info, rows, source_hits, words, hits }, &view)
     }
-    match second.bounced {
-        Some(bounced) => bounced.run(data, scene, view, surfaces, colours, stages),
-        None => Ok(()),
+
+    /// Colours where they were not copied.
+    fn light<B: Backend>(&self, p: Reprojection, stages: &mut Stages<'_, '_, B>) -> Result<(), BackendError> {
+        let Self { plan, data, scene, source: first, second, view } = *self;
+        let SceneBuffers { rows, triangles, records, texels, .. } = *scene;
+        let (info, effects) = (data.info, data.effects.0);
+        let (source, hits, colours, counts) = (second.source, second.hits, second.colours, second.light_rays);
+        let light =
+            Light { view, info, rows, triangles, records, texels, source, hits, colours, counts, effects };
+        stages.run(&light, &view)?;
+        if p.copies != 0 || plan.options.method == Method::Guided {
+            return Ok(());
+        }
+        let (source_surfaces, source_seen) = (first.surfaces, first.shadow);
+        let gloss =
+            Gloss { view, info, records, texels, source, source_surfaces, source_seen, colours, effects };
+        stages.run(&gloss, &view)
+    }
+
+    /// Surfaces of all pixels and, where nothing is reused of the source's shadows, what they look like.
+    fn inherit<B: Backend>(
+        &self,
+        surfaces: Buffer<Surface>,
+        stages: &mut Stages<'_, '_, B>,
+    ) -> Result<(), BackendError> {
+        let Self { data, scene, source: first, second, view, .. } = *self;
+        let SceneBuffers { rows, triangles, records, texels, .. } = *scene;
+        let (info, effects) = (data.info, data.effects.0);
+        let (source, source_surfaces, hits) = (second.source, first.surfaces, second.hits);
+        let inherit =
+            Inherit { view, info, triangles, records, source, source_surfaces, hits, surfaces, effects };
+        stages.run(&inherit, &view)?;
+        let Some(seen) = second.seen else { return Ok(()) };
+        let (counts, colours) = (second.light_rays, second.colours);
+        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
+        stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)
     }
 }
 

@@ -5,7 +5,7 @@ use super::{Plan, bounces};
 use crate::backend::{Backend, BackendError};
 use crate::render::SceneData;
 use crate::render::band::{BounceBuffers, Bounced};
-use crate::render::method::{Method, Shadows};
+use crate::render::method::Method;
 use kernel_api::Buffer;
 use parallax_shared::layout::{Hit, RayCounts, Surface, View};
 use parallax_shared::shading::shadow;
@@ -73,7 +73,7 @@ impl SecondBuffers {
         view: &View,
     ) -> Result<Self, BackendError> {
         let pixels = view.width as usize * view.rows as usize;
-        let traces = plan.options.shadows == Shadows::Trace;
+        let traces = !plan.reuses_shadows();
         let bounces = bounces(data) && plan.options.method != Method::Ideal;
         let words = pixels * shadow::words(data.info.lights) as usize;
         Ok(Self {

@@ -10,7 +10,7 @@ use crate::render::{Depth, RayTotals, SceneData};
 use clap::ValueEnum;
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::RayCounts;
-use parallax_shared::stereo::source::{self, BAD, GAP, HOLE, REUSED, VERIFIED};
+use parallax_shared::stereo::source::{self, BAD, GAP, GUIDED, HOLE, REUSED, UNGUIDED, VERIFIED};
 use serde::Serialize;
 use std::ops::AddAssign;
 
@@ -29,6 +29,10 @@ pub struct StereoStatistics {
     pub gaps: u64,
     /// Pixels whose verifying ray met something nearer (000: bad pixels).
     pub bad: u64,
+    /// Traced pixels that began with what the first view shows (`guided`).
+    pub guided: u64,
+    /// Traced pixels of `guided` that had nothing to begin with.
+    pub unguided: u64,
     /// What lands where.
     pub overlap: Overlap,
     /// The smallest `t` in the first view: 1 / r of Lemma 1. `None` when it shows nothing.
@@ -58,6 +62,8 @@ impl StereoStatistics {
             holes: count(HOLE),
             gaps: count(GAP),
             bad: count(BAD),
+            guided: count(GUIDED),
+            unguided: count(UNGUIDED),
             overlap: Overlap::of_band(&p, &first.hits),
             nearest_t: first.hits.iter().map(|hit| hit.t).filter(|t| t.is_finite()).min_by(f32::total_cmp),
             first_rays: totals(first.rays()),
@@ -67,7 +73,7 @@ impl StereoStatistics {
 
     /// Pixels for which a ray found the surface that they show.
     pub fn traced(&self) -> u64 {
-        self.holes + self.gaps + self.bad
+        self.holes + self.gaps + self.bad + self.guided + self.unguided
     }
 
     /// 001's M: the traced share of the pixels.
@@ -101,6 +107,8 @@ impl AddAssign for StereoStatistics {
         self.holes += other.holes;
         self.gaps += other.gaps;
         self.bad += other.bad;
+        self.guided += other.guided;
+        self.unguided += other.unguided;
         self.overlap += other.overlap;
         self.nearest_t = [self.nearest_t, other.nearest_t].into_iter().flatten().min_by(f32::total_cmp);
         self.first_rays += other.first_rays;

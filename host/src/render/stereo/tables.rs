@@ -93,7 +93,9 @@ pub fn fill<B: Backend>(
         Method::EsIsler => {
             stages.run_over(&Scanline { p, lines: 1, hits, candidates, gaps }, [p.rows, 1, 1])?;
         }
-        Method::Gather1 | Method::Atomic => stages.run_over(&Splat { p, hits, candidates, gaps }, runs)?,
+        Method::Gather1 | Method::Atomic | Method::Guided => {
+            stages.run_over(&Splat { p, hits, candidates, gaps }, runs)?
+        }
         Method::Gather2 => {
             if let Some(targets) = tables.targets {
                 stages.run_over(&Shifts { p, hits, targets }, runs)?;
