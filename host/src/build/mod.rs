@@ -7,9 +7,8 @@
 pub mod binned;
 pub mod boxes;
 pub mod collapse;
-pub mod leaves;
 pub mod validate;
-mod write;
+pub mod write;
 
 use boxes::Primitives;
 use obvhs::bvh2::Bvh2;

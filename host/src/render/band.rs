@@ -165,7 +165,7 @@ impl BounceBuffers {
         local: Buffer<[f32; 4]>,
         stages: &mut Stages<'_, '_, B>,
     ) -> Result<(), BackendError> {
-        let SceneBuffers { rows, triangles, records, texels, .. } = *scene;
+        let SceneBuffers { rows, triangles, records, texels } = *scene;
         let (info, effects, colours, counts) = (data.info, data.effects.0, self.colours, self.rays);
         let bounce = Bounce {
             view,
@@ -239,7 +239,7 @@ impl BandBuffers {
         stages: &mut Stages<'_, '_, B>,
     ) -> Result<(), BackendError> {
         let Self { hits, surfaces, shadow: seen, local, primary_rays, shadow_rays, bounced } = *self;
-        let SceneBuffers { rows, triangles, records, texels, .. } = *scene;
+        let SceneBuffers { rows, triangles, records, texels } = *scene;
         let (info, effects) = (data.info, data.effects.0);
         stages.run(&Primary { view, info, rows, hits, counts: primary_rays }, &view)?;
         stages.run(&Surface { view, info, triangles, records, hits, surfaces, effects }, &view)?;

@@ -10,8 +10,6 @@ use parallax_shared::layout::{Record, Row, Triangle};
 pub struct SceneBuffers {
     /// The acceleration structure.
     pub rows: Buffer<Row>,
-    /// The link to the pack of each primitive.
-    pub leaves: Buffer<u32>,
     /// Triangles, for shading.
     pub triangles: Buffer<Triangle>,
     /// Spheres, ellipsoids, materials, lights and textures.
@@ -28,7 +26,6 @@ impl SceneBuffers {
     pub fn upload<B: Backend>(backend: &mut B, data: &SceneData) -> Result<Self, RenderError> {
         Ok(Self {
             rows: backend.upload("acceleration structure", &data.rows)?,
-            leaves: backend.upload("leaves", &data.leaves)?,
             triangles: backend.upload("triangles", &data.triangles)?,
             records: backend.upload("spheres, materials and lights", &data.records)?,
             texels: backend.upload("textures", &data.texels)?,
@@ -38,7 +35,6 @@ impl SceneBuffers {
     /// Gives the memory back.
     pub fn release<B: Backend>(self, backend: &mut B) {
         backend.release(self.rows);
-        backend.release(self.leaves);
         backend.release(self.triangles);
         backend.release(self.records);
         backend.release(self.texels);

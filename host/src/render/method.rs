@@ -33,7 +33,7 @@ pub enum Method {
     Buffer,
     /// An atomic maximum per pixel (Al-Hagri 2012, §3.1.2.2).
     Atomic,
-    /// Everything is traced, beginning with what the source shows: the pictures of `naive`, bit for bit.
+    /// Everything is traced, with what the source shows as a hint: the pictures of `naive`, bit for bit.
     Guided,
 }
 

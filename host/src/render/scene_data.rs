@@ -22,8 +22,6 @@ pub struct SceneData {
     pub info: SceneInfo,
     /// The acceleration structure.
     pub rows: Vec<Row>,
-    /// The link to the pack of each primitive.
-    pub leaves: Vec<u32>,
     /// Triangles, for shading.
     pub triangles: Vec<Triangle>,
     /// Spheres, ellipsoids, materials, lights and textures.
@@ -87,7 +85,6 @@ impl SceneData {
         let effects = Effects::of_scene(&info, &materials, &triangles);
         Ok(Self {
             info,
-            leaves: bvh.leaves(),
             rows: bvh.rows,
             triangles,
             records,

@@ -1,5 +1,6 @@
 //! The second view from the first.
 
+pub mod guided;
 pub mod reprojection;
 pub mod run;
 pub mod scanline;

@@ -13,9 +13,9 @@ pub const HOLE: u32 = 2;
 pub const GAP: u32 = 3;
 /// The ray that should verify a candidate met something nearer, which is what the pixel shows (000's bad pixel).
 pub const BAD: u32 = 4;
-/// Traced, beginning where the source's hit lies (the exact method).
+/// Traced, expected to end where the source's hit is (the exact method).
 pub const GUIDED: u32 = 5;
-/// Traced, without anything to begin with (the exact method).
+/// Traced without any expectation (the exact method).
 pub const UNGUIDED: u32 = 6;
 
 /// The word of a pixel for which the source's `column` was used.

@@ -30,13 +30,6 @@ pub fn closest_hit(rows: &[Row], ray: &Ray, extent: f32) -> Hit {
     walk::walk::<Exact, false, ON_DEVICE>(rows, ray, extent)
 }
 
-/// [`closest_hit`], bit for bit, faster where `start` is the link to a pack that the ray hits: that hit bounds the rest. The root's
-/// link is no hint.
-#[inline(always)]
-pub fn closest_hit_from(rows: &[Row], ray: &Ray, extent: f32, start: u32) -> Hit {
-    walk::walk_from::<Exact, false, ON_DEVICE>(rows, ray, extent, start)
-}
-
 /// Whether [`closest_hit`] would find anything; stops at the first hit. Which one that is depends on the structure.
 #[inline(always)]
 pub fn occluded(rows: &[Row], ray: &Ray, extent: f32) -> bool {

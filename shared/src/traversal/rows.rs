@@ -25,8 +25,6 @@ pub const SPHERE_ROWS: usize = 6;
 /// Rows of a pack of ellipsoids: centre, three rows of four words of `world_to_unit`, numbers.
 pub const ELLIPSOID_ROWS: usize = 16;
 
-/// The link to the root.
-pub const ROOT: u32 = 0;
 /// The bit of a link to a pack.
 pub const LEAF: u32 = 1 << 31;
 /// The row number in a link to a pack.

@@ -1,7 +1,7 @@
 //! The way of a ray through the nodes, the nearest first, for both drivers.
 
 use super::ray::Prepared;
-use super::rows::{self, KIND, LEAF, ROOT, STACK};
+use super::rows::{self, KIND, LEAF, STACK};
 use super::rules::Rules;
 use super::{arrays, lanes, round};
 use crate::layout::{Hit, NONE, Ray, Row};
@@ -18,18 +18,6 @@ pub(super) struct Entry {
 /// The hits do not depend on `SCAN`.
 #[inline(always)]
 pub fn walk<R: Rules, const ANY: bool, const SCAN: bool>(rows: &[Row], given: &Ray, extent: f32) -> Hit {
-    walk_from::<R, ANY, SCAN>(rows, given, extent, ROOT)
-}
-
-/// The same, beginning at the pack behind the link `start` (or at the root): what is hit there bounds the rest of the walk. Hits do not
-/// depend on it, since the best of all is the best whatever comes first, and a pack that is met twice changes nothing.
-#[inline(always)]
-pub fn walk_from<R: Rules, const ANY: bool, const SCAN: bool>(
-    rows: &[Row],
-    given: &Ray,
-    extent: f32,
-    start: u32,
-) -> Hit {
     let ray = Prepared::new::<R>(given, extent);
     let mut best = Hit { t: given.t_max, prim_id: 0 };
     if !ray.is_proper() {
@@ -38,10 +26,7 @@ pub fn walk_from<R: Rules, const ANY: bool, const SCAN: bool>(
     let mut memory = Stack::<Entry, STACK>::new();
     let stack = &mut memory.open();
     let mut limit = best.t;
-    let mut link = start;
-    if start != ROOT {
-        stack.push(Entry { link: ROOT, enter: 0 });
-    }
+    let mut link = 0;
     loop {
         if link & LEAF == 0 {
             let next = if SCAN {

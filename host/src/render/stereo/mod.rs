@@ -77,9 +77,9 @@ impl Plan {
         Reprojection { rows, ..self.reprojection }
     }
 
-    /// Whether the light that points of the source see is theirs in the second view, too, or everything is traced at once.
+    /// Whether the light that points of the source see is theirs in the second view, too.
     pub(super) fn reuses_shadows(&self) -> bool {
-        self.options.shadows == Shadows::Reuse || self.options.method == Method::Guided
+        self.options.shadows == Shadows::Reuse && self.options.method != Method::Guided
     }
 
     /// Words that the largest buffer with an element per pixel has for it.
@@ -129,9 +129,7 @@ impl SecondView<'_> {
         let (words, hits, colours, source_hits) = (second.source, second.hits, second.colours, source.hits);
         let TableBuffers { candidates, gaps, .. } = second.tables;
         if plan.options.method == Method::Guided {
-            let leaves = scene.leaves;
-            return stages
-                .run(&Guided { p, view, info, rows, leaves, candidates, source_hits, words, hits }, &view);
+            return stages.run(&Guided { p, view, info, rows, candidates, source_hits, words, hits }, &view);
         }
         let source_colours = source.local;
         let settle = Settle { p, candidates, gaps, source_hits, source_colours, words, hits, colours };
@@ -141,14 +139,14 @@ impl SecondView<'_> {
 
     /// Colours where they were not copied.
     fn light<B: Backend>(&self, p: Reprojection, stages: &mut Stages<'_, '_, B>) -> Result<(), BackendError> {
-        let Self { plan, data, scene, source: first, second, view } = *self;
-        let SceneBuffers { rows, triangles, records, texels, .. } = *scene;
+        let Self { data, scene, source: first, second, view, .. } = *self;
+        let SceneBuffers { rows, triangles, records, texels } = *scene;
         let (info, effects) = (data.info, data.effects.0);
         let (source, hits, colours, counts) = (second.source, second.hits, second.colours, second.light_rays);
         let light =
             Light { view, info, rows, triangles, records, texels, source, hits, colours, counts, effects };
         stages.run(&light, &view)?;
-        if p.copies != 0 || plan.options.method == Method::Guided {
+        if p.copies != 0 {
             return Ok(());
         }
         let (source_surfaces, source_seen) = (first.surfaces, first.shadow);
@@ -164,7 +162,7 @@ impl SecondView<'_> {
         stages: &mut Stages<'_, '_, B>,
     ) -> Result<(), BackendError> {
         let Self { data, scene, source: first, second, view, .. } = *self;
-        let SceneBuffers { rows, triangles, records, texels, .. } = *scene;
+        let SceneBuffers { rows, triangles, records, texels } = *scene;
         let (info, effects) = (data.info, data.effects.0);
         let (source, source_surfaces, hits) = (second.source, first.surfaces, second.hits);
         let inherit =

@@ -29,9 +29,9 @@ pub struct StereoStatistics {
     pub gaps: u64,
     /// Pixels whose verifying ray met something nearer (000: bad pixels).
     pub bad: u64,
-    /// Traced pixels that began with what the first view shows (`guided`).
+    /// Traced pixels for which the first view was a hint (`guided`).
     pub guided: u64,
-    /// Traced pixels of `guided` that had nothing to begin with.
+    /// Traced pixels of `guided` without a hint.
     pub unguided: u64,
     /// What lands where.
     pub overlap: Overlap,
