@@ -17,7 +17,7 @@ pub fn closest_hit_expected(rows: &[Row], ray: &Ray, extent: f32, expected: f32)
     // A loop, so that a device has the walk once in its code.
     loop {
         let hit = closest_hit(rows, &ray, extent);
-        let whole = !(ray.t_max < f32::INFINITY);
+        let whole = ray.t_max == f32::INFINITY;
         if whole || hit.prim_id != NONE {
             return hit;
         }
