@@ -1740,7 +1740,7 @@ fn guided(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
           p250 = 4294967295u;
         }
         let v250 = p250;
-        let v1161 = ((v205 < bitcast<f32>(bits_7f800000)) || (v205 > bitcast<f32>(bits_7f800000)));
+        let v1161 = !(v205 == bitcast<f32>(bits_7f800000));
         let v1162 = (v250 == 4294967295u);
         let v1163 = select(false, v1162, v1161);
         let v1164 = (v1163 != true);
