@@ -39,23 +39,26 @@ pub fn wrong_depth(interaxial_px: f32, shown: &[Hit], reference: &[Hit]) -> f64 
     if shown.is_empty() { 0.0 } else { wrong as f64 / shown.len() as f64 }
 }
 
-/// The share of the squared error that comes from rounding to whole pixels: from pixels that show the depth of the reference within
-/// that rounding (see [`wrong_depth`]), though not the very same point. 0 without any error. Pictures are colours and hits.
-pub fn rounding_share(
+/// Shares of the squared error by what pixels show instead of the reference: the same depth, up to rounding to whole pixels; something
+/// nearer, as silhouettes do that rounding has moved; something farther, which the reference's surface hides. 0 without any error.
+/// Pictures are colours and hits.
+pub fn error_shares(
     interaxial_px: f32,
     picture: (&[[u8; 3]], &[Hit]),
     reference: (&[[u8; 3]], &[Hit]),
-) -> f64 {
-    let (mut rounding, mut all) = (0.0, 0.0);
+) -> [f64; 3] {
+    let mut errors = [0.0; 3];
     let pixels = picture.0.iter().zip(picture.1).zip(reference.0.iter().zip(reference.1));
     for ((colour, shown), (true_colour, truth)) in pixels {
-        let error = squared_distance(colour, true_colour);
-        all += error;
-        if !is_wrong(interaxial_px, shown, truth) {
-            rounding += error;
-        }
+        let kind = match is_wrong(interaxial_px, shown, truth) {
+            false => 0,
+            true if shown.t < truth.t => 1,
+            true => 2,
+        };
+        errors[kind] += squared_distance(colour, true_colour);
     }
-    if all > 0.0 { rounding / all } else { 0.0 }
+    let all: f64 = errors.iter().sum();
+    if all > 0.0 { errors.map(|error| error / all) } else { errors }
 }
 
 /// Whether disparities are more than a pixel apart; the bounded ray's own rounding is allowed for.
@@ -105,13 +108,15 @@ mod tests {
     }
 
     #[test]
-    fn errors_at_the_right_depth_are_those_of_rounding() {
+    fn errors_are_told_apart_by_depth() {
         let hit = |t| Hit { t, prim_id: 0 };
-        let (shown, truth) = ([hit(2.0), hit(2.0)], [hit(1.98), hit(f32::INFINITY)]);
-        let share = |a: &[[u8; 3]], b: &[[u8; 3]]| rounding_share(10.0, (a, &shown), (b, &truth));
-        assert_eq!(share(&[RED, BLACK], &[BLACK, BLACK]), 1.0);
-        assert_eq!(share(&[BLACK, RED], &[BLACK, BLACK]), 0.0);
-        assert_eq!(share(&[RED, RED], &[BLACK, BLACK]), 0.5);
-        assert_eq!(share(&[RED, RED], &[RED, RED]), 0.0);
+        // The same up to rounding, nearer than the truth, farther.
+        let (shown, truth) = ([2.0, 1.0, f32::INFINITY].map(hit), [1.98, f32::INFINITY, 2.0].map(hit));
+        let shares = |a: &[[u8; 3]], b: &[[u8; 3]]| error_shares(10.0, (a, &shown), (b, &truth));
+        let black = [BLACK; 3];
+        assert_eq!(shares(&[RED, BLACK, BLACK], &black), [1.0, 0.0, 0.0]);
+        assert_eq!(shares(&[BLACK, RED, BLACK], &black), [0.0, 1.0, 0.0]);
+        assert_eq!(shares(&[RED, BLACK, RED], &black), [0.5, 0.0, 0.5]);
+        assert_eq!(shares(&black, &black), [0.0; 3]);
     }
 }

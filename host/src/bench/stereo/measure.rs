@@ -188,10 +188,12 @@ fn quality(data: &SceneData, pair: &Pair, truth: &Picture<'_>) -> Vec<Quality> {
     let e = data.views[0].interaxial_px;
     let (shown, hits) = (&metrics::srgb8(pair.second.colour()), pair.second.hits());
     let (share, distance) = metrics::differing(shown, &truth.colours);
-    let rounding = metrics::rounding_share(e, (shown, hits), (&truth.colours, truth.hits));
+    let [same, nearer, farther] = metrics::error_shares(e, (shown, hits), (&truth.colours, truth.hits));
     vec![
         (MSE, "", metrics::mse(shown, &truth.colours)),
-        ("of it rounding to pixels", "%", 100.0 * rounding),
+        ("error at the same depth", "%", 100.0 * same),
+        ("error by what is nearer", "%", 100.0 * nearer),
+        ("error by what is farther", "%", 100.0 * farther),
         (DIFFERING, "%", 100.0 * share),
         (DISTANCE, "", distance),
         (WRONG_DEPTH, "%", 100.0 * metrics::wrong_depth(e, hits, truth.hits)),

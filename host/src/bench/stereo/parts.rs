@@ -93,10 +93,12 @@ impl Part {
                 "The cost of the second view against the number of lights (000, table 5; 600×600, e = 15): light is reused too."
             }
             Self::ErrorDimensions => {
-                "Mean squared error against a traced second view, by size (000, table 6 and figure 36): it falls."
+                "Mean squared error against a traced second view, by size (000, table 6 and figure 36, where it falls). Errors at \
+                 the same depth, and by what is nearer, are those of rounding to whole pixels: within surfaces, and of silhouettes."
             }
             Self::ErrorInteraxial => {
-                "Mean squared error against a traced second view, by distance of the eyes (000, table 6 and figure 37): it rises."
+                "Mean squared error against a traced second view, by distance of the eyes (000, table 6 and figure 37, where \
+                 it rises). Errors at the same depth, and by what is nearer, are those of rounding to whole pixels."
             }
             Self::Single => {
                 "001's single-ray method on 20 ellipsoids, whose averages over thirty pictures stand beside it."
