@@ -2,7 +2,7 @@
 
 use parallax::backend::{Cpu, Profile};
 use parallax::diff;
-use parallax::render::{First, Method, SceneData, StereoOptions, Verify};
+use parallax::render::{First, Method, Reflections, SceneData, StereoOptions, Verify};
 use parallax_tests::gpu::{Driver, open};
 use parallax_tests::scenes::{data_at, root};
 use parallax_tests::stereo::{REPROJECTING, pair_on, verified};
@@ -25,6 +25,10 @@ fn options() -> impl Iterator<Item = StereoOptions> {
         .map(|((method, verify), first)| verified(method, verify, first))
 }
 
+fn recalling() -> StereoOptions {
+    StereoOptions { reflections: Reflections::Within(1.0), ..Method::Atomic.into() }
+}
+
 #[test]
 fn every_method_gives_the_same_bits_on_any_number_of_threads() {
     let data = scene("default");
@@ -43,7 +47,7 @@ fn assert_equal(driver: Driver, runs: usize) {
     let Some(mut gpu) = open(driver, Profile::Strict) else { return };
     for name in ["default", "spheres"] {
         let data = scene(name);
-        for options in options().chain([Method::Ideal.into(), Method::Guided.into()]) {
+        for options in options().chain([Method::Ideal.into(), Method::Guided.into(), recalling()]) {
             let once =
                 diff::against_gpu(&mut Cpu::new(0).unwrap(), &mut gpu, &data, &options, &mut |_, _| {})
                     .unwrap();

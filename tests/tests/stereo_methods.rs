@@ -1,7 +1,8 @@
 //! The methods that make the second view from the first, as wholes: they agree, and what they show is what there is.
 
+use parallax::metrics;
 use parallax::render::stereo::second::Inferred;
-use parallax::render::{Depth, First, Method, SceneData, Shadows, StereoOptions, Verify};
+use parallax::render::{Depth, First, Method, Reflections, SceneData, Shadows, StereoOptions, Verify};
 use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::Hit;
 use parallax_shared::stereo::source::{self, BAD, GAP, HOLE, is_reused};
@@ -192,6 +193,26 @@ fn tracing_the_shadows_of_a_reused_point_gives_what_reusing_gives() {
             |shown: &Inferred| shown.shadow_rays.iter().map(|rays| u64::from(rays.shadow)).sum::<u64>();
         assert!(rays(&traced) > 3 * rays(&reused), "{name}");
     }
+}
+
+/// The wider the angle, the fewer reflected rays, and the farther from the truth.
+#[test]
+fn reflections_of_the_first_eye_serve_the_second_within_an_angle() {
+    let data = scene("whitted");
+    let truth = naive(&data, First::Left);
+    let seen = |reflections| {
+        let options = StereoOptions { reflections, ..verified(Method::Atomic, Verify::All, First::Left) };
+        let shown = inferred(pair(&data, &options));
+        let rays = shown.bounced.as_ref().expect("a scene with mirrors").rays.iter();
+        let rays: u64 = rays.map(|rays| u64::from(rays.reflected + rays.refracted)).sum();
+        (rays, metrics::mse(&metrics::srgb8(shown.colour()), &metrics::srgb8(truth.colour())))
+    };
+    let traced = seen(Reflections::Trace);
+    let (narrow, wide) = (seen(Reflections::Within(2.2)), seen(Reflections::Within(180.0)));
+    assert!(traced.0 > narrow.0 && narrow.0 > wide.0, "rays: {traced:?}, {narrow:?}, {wide:?}");
+    assert!(traced.1 < wide.1 && narrow.1 < wide.1, "errors: {traced:?}, {narrow:?}, {wide:?}");
+    // What is left belongs to pixels that were traced.
+    assert!(10 * wide.0 < traced.0, "{wide:?} of {traced:?}");
 }
 
 #[test]

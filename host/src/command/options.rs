@@ -4,7 +4,7 @@ use super::failure::{Blame, Failure};
 use super::locate;
 use anyhow::Context;
 use parallax::backend::{Choice, Profile, Selection};
-use parallax::render::{Depth, First, Method, Overrides, Shadows, StereoOptions, Verify};
+use parallax::render::{Depth, First, Method, Overrides, Reflections, Shadows, StereoOptions, Verify};
 use parallax::rig::DISPLAY_WIDTH;
 use parallax::scene::{self, Scene};
 use std::path::PathBuf;
@@ -98,13 +98,17 @@ pub struct MethodOptions {
     /// as the traced view asks for) or a number.
     #[arg(long, value_name = "SLOTS", default_value = "lemma")]
     depth: Depth,
+    /// Reflections and refractions of the second view: `trace` (rays of its own) or an angle in degrees (those of the
+    /// traced view where the rays of both eyes are no farther apart).
+    #[arg(long, value_name = "ANGLE", default_value = "trace")]
+    reflections: Reflections,
 }
 
 impl MethodOptions {
     /// The same as the library wants it, if it goes together.
     pub fn stereo(&self) -> Result<StereoOptions, Failure> {
-        let Self { method, verify, shadows, first, depth } = *self;
-        let options = StereoOptions { method, verify, shadows, first, depth };
+        let Self { method, verify, shadows, first, depth, reflections } = *self;
+        let options = StereoOptions { method, verify, shadows, first, depth, reflections };
         options.check().usage()?;
         Ok(options)
     }

@@ -105,8 +105,30 @@ impl FromStr for Depth {
     }
 }
 
+/// Where the second view's reflections and refractions come from.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Reflections {
+    /// From rays of its own, behind the first level, which is reprojected (Adelson and Hodges 1993).
+    #[default]
+    Trace,
+    /// From the source, where the rays of both eyes are at most so many degrees apart; else from rays (Es 2008, §5.5.2).
+    Within(f32),
+}
+
+impl FromStr for Reflections {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let degrees = |text: &str| text.parse().ok().filter(|degrees| (0.0..=180.0).contains(degrees));
+        match text {
+            "trace" => Ok(Self::Trace),
+            angle => degrees(angle).map(Self::Within).ok_or("expected `trace` or an angle in degrees".into()),
+        }
+    }
+}
+
 /// How a pair is rendered.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StereoOptions {
     /// The method.
     pub method: Method,
@@ -118,6 +140,8 @@ pub struct StereoOptions {
     pub first: First,
     /// Slots of a 3D buffer.
     pub depth: Depth,
+    /// Where reflections come from.
+    pub reflections: Reflections,
 }
 
 impl From<Method> for StereoOptions {
@@ -175,6 +199,9 @@ impl StereoOptions {
                 wrong("has no candidates that could be verified")
             }
             Method::Ideal if self.shadows == Shadows::Trace => wrong("traces nothing in the second view"),
+            Method::Naive | Method::Ideal | Method::Guided if self.reflections != Reflections::Trace => {
+                wrong("reuses no reflections")
+            }
             method if method != Method::Buffer && self.depth != Depth::default() => wrong("has no slots"),
             _ => Ok(()),
         }
@@ -198,6 +225,15 @@ mod tests {
         assert_eq!("3".parse(), Ok(Depth::Fixed(NonZeroU32::new(3).unwrap())));
         for wrong in ["", "0", "-1", "deep"] {
             assert!(wrong.parse::<Depth>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn reflections_are_traced_or_within_an_angle() {
+        assert_eq!("trace".parse(), Ok(Reflections::Trace));
+        assert_eq!("0.5".parse(), Ok(Reflections::Within(0.5)));
+        for wrong in ["", "-1", "181", "NaN", "all"] {
+            assert!(wrong.parse::<Reflections>().is_err(), "{wrong}");
         }
     }
 

@@ -38,7 +38,7 @@ pub use buffers::SceneBuffers;
 pub use error::RenderError;
 pub use frame::{Frame, render};
 pub use images::{StereoImages, ViewImages};
-pub use method::{Depth, First, Method, Shadows, StereoOptions, Verify};
+pub use method::{Depth, First, Method, Reflections, Shadows, StereoOptions, Verify};
 pub use overrides::{MAX_LIGHTS, MAX_PIXELS, Overrides};
 pub use rays::RayTotals;
 pub use renderer::Renderer;

@@ -5,6 +5,7 @@ pub mod gloss;
 pub mod guided;
 pub mod inherit;
 pub mod light;
+pub mod recall;
 pub mod scanline;
 pub mod scanline_rtl;
 pub mod settle;

@@ -1,6 +1,7 @@
 //! The second view from the first.
 
 pub mod guided;
+pub mod recall;
 pub mod reprojection;
 pub mod run;
 pub mod scanline;

@@ -27,7 +27,7 @@ pub fn key(x: u32) -> u32 {
 /// The whole number next to a disparity, the larger one of two (half a pixel goes to the right).
 ///
 /// Within ½ of the disparity as given, and that is within 3·2⁻²⁴ of itself (three roundings) of e (t − 1) / t. ⌊D + ½⌋ would round its
-/// sum, and be one too large just below a half; here the only sum that is rounded is that with [`MAGIC`], to the nearest whole number,
+/// sum, and be one too large just below a half; here the only sum that is rounded is that with `MAGIC`, to the nearest whole number,
 /// and the difference to that one is exact. Magnitudes are clamped to 2²⁰; NaN (`t` = 0 with e = 0) is the smallest shift, outside of
 /// every picture.
 #[inline(always)]

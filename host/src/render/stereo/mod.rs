@@ -1,6 +1,6 @@
 //! The second view of a pair from the first: the passes that every method has in common.
 //!
-//! A method fills two tables with what each pixel of the second view may show ([`tables`]). Then `settle` verifies candidates,
+//! A method fills two tables with what each pixel of the second view may show (`tables`). Then `settle` verifies candidates,
 //! traces what is missing and copies colours; `light` shades what was traced; `gloss` shades reused points again where they shine.
 //! Only scenes that reflect, and images of more than colours, need surfaces (`inherit`).
 
@@ -13,13 +13,14 @@ mod unseen;
 
 use super::band::BandBuffers;
 use super::buffers::SceneBuffers;
-use super::method::{Method, Shadows, StereoOptions, Verify};
+use super::method::{Method, Reflections, Shadows, StereoOptions, Verify};
 use super::renderer::Stages;
 use super::{RenderError, SceneData};
 use crate::backend::{Backend, BackendError};
 use kernel_api::Buffer;
 use parallax_kernels::stereo::{
-    copy::Copy, gloss::Gloss, guided::Guided, inherit::Inherit, light::Light, settle::Settle, trace::Trace,
+    copy::Copy, gloss::Gloss, guided::Guided, inherit::Inherit, light::Light, recall::Recall, settle::Settle,
+    trace::Trace,
 };
 use parallax_kernels::{shade::Shade, shadow::Shadow};
 use parallax_shared::effects::Effects;
@@ -116,10 +117,43 @@ impl SecondView<'_> {
         }
         let Some(surfaces) = second.surfaces else { return Ok(()) };
         self.inherit(surfaces, stages)?;
-        match second.bounced {
-            Some(bounced) => bounced.run(data, scene, view, surfaces, second.colours, stages),
-            None => Ok(()),
-        }
+        let Some(bounced) = second.bounced else { return Ok(()) };
+        let (surfaces, local) = self.recall(surfaces, stages)?;
+        bounced.run(data, scene, view, surfaces, local, stages)
+    }
+
+    /// The surfaces and colours that the pass `bounce` starts from: what the source's reflections serve is left out of the first and
+    /// part of the second.
+    fn recall<B: Backend>(
+        &self,
+        surfaces: Buffer<Surface>,
+        stages: &mut Stages<'_, '_, B>,
+    ) -> Result<(Buffer<Surface>, Buffer<[f32; 4]>), BackendError> {
+        let Self { plan, data, source: first, second, view, .. } = *self;
+        let local = second.colours;
+        let (Reflections::Within(degrees), Some((remaining, recalled))) =
+            (plan.options.reflections, second.recalled)
+        else {
+            return Ok((surfaces, local));
+        };
+        let [eye, _] = plan.options.first.eyes();
+        let source_view = View { first_row: view.first_row, rows: view.rows, ..data.views[eye] };
+        let (source, source_local, source_colours) = (second.source, first.local, first.colour());
+        let cos_limit = f64::from(degrees).to_radians().cos() as f32;
+        let recall = Recall {
+            source_view,
+            view,
+            cos_limit,
+            source,
+            source_local,
+            source_colours,
+            surfaces,
+            local,
+            remaining,
+            recalled,
+        };
+        stages.run(&recall, &view)?;
+        Ok((remaining, recalled))
     }
 
     /// What each pixel shows.

@@ -5,7 +5,7 @@ use super::{Plan, bounces};
 use crate::backend::{Backend, BackendError};
 use crate::render::SceneData;
 use crate::render::band::{BounceBuffers, Bounced};
-use crate::render::method::Method;
+use crate::render::method::{Method, Reflections};
 use kernel_api::Buffer;
 use parallax_shared::layout::{Hit, RayCounts, Surface, View};
 use parallax_shared::shading::shadow;
@@ -62,6 +62,8 @@ pub struct SecondBuffers {
     /// Where shadows are traced.
     pub(super) seen: Option<Buffer<u32>>,
     pub(super) bounced: Option<BounceBuffers>,
+    /// Surfaces that are left to the pass `bounce` and colours with what was recalled, where reflections are reused.
+    pub(super) recalled: Option<(Buffer<Surface>, Buffer<[f32; 4]>)>,
 }
 
 impl SecondBuffers {
@@ -75,6 +77,10 @@ impl SecondBuffers {
         let pixels = view.width as usize * view.rows as usize;
         let traces = !plan.reuses_shadows();
         let bounces = bounces(data) && plan.options.method != Method::Ideal;
+        let recalls = bounces && plan.options.reflections != Reflections::Trace;
+        let recalled = |backend: &mut B| {
+            Ok((backend.create("remaining surfaces", pixels)?, backend.create("recalled colours", pixels)?))
+        };
         let words = pixels * shadow::words(data.info.lights) as usize;
         Ok(Self {
             tables: TableBuffers::create(backend, plan, pixels)?,
@@ -87,6 +93,7 @@ impl SecondBuffers {
                 .transpose()?,
             seen: traces.then(|| backend.create("second shadow bits", words)).transpose()?,
             bounced: bounces.then(|| BounceBuffers::create(backend, pixels)).transpose()?,
+            recalled: recalls.then(|| recalled(backend)).transpose()?,
         })
     }
 
@@ -127,5 +134,9 @@ impl SecondBuffers {
         self.surfaces.into_iter().for_each(|surfaces| backend.release(surfaces));
         self.seen.into_iter().for_each(|seen| backend.release(seen));
         self.bounced.into_iter().for_each(|bounced| bounced.release(backend));
+        if let Some((remaining, recalled)) = self.recalled {
+            backend.release(remaining);
+            backend.release(recalled);
+        }
     }
 }
