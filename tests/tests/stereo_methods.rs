@@ -208,7 +208,7 @@ fn reflections_of_the_first_eye_serve_the_second_within_an_angle() {
         (rays, metrics::mse(&metrics::srgb8(shown.colour()), &metrics::srgb8(truth.colour())))
     };
     let traced = seen(Reflections::Trace);
-    let (narrow, wide) = (seen(Reflections::Within(2.2)), seen(Reflections::Within(180.0)));
+    let (narrow, wide) = (seen(Reflections::Within(1.6)), seen(Reflections::Within(180.0)));
     assert!(traced.0 > narrow.0 && narrow.0 > wide.0, "rays: {traced:?}, {narrow:?}, {wide:?}");
     assert!(traced.1 < wide.1 && narrow.1 < wide.1, "errors: {traced:?}, {narrow:?}, {wide:?}");
     // What is left belongs to pixels that were traced.
