@@ -4,6 +4,7 @@ use super::failure::{Blame, Failure};
 use anyhow::{Context, anyhow};
 use parallax::output::Batch;
 use serde_json::{Map, Value};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
@@ -44,11 +45,10 @@ pub fn picture(folder: &Path, scene: &str, frame: u32) -> PathBuf {
 pub fn claim(folder: &Path, scene: &str, settings: &Map<String, Value>) -> Result<(), Failure> {
     let file = format!("{scene}_frames.json");
     let path = folder.join(&file);
-    let Ok(text) = std::fs::read_to_string(&path) else {
-        let mut batch = Batch::new(folder).work()?;
-        batch.write_text(&file, &serde_json::to_string_pretty(settings).work()?).work()?;
-        batch.commit().work()?;
-        return Ok(());
+    let text = match std::fs::read_to_string(&path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return note(folder, &file, settings),
+        Err(error) => return Err(error).with_context(|| format!("cannot read {}", path.display())).work(),
     };
     let there: Map<String, Value> =
         serde_json::from_str(&text).with_context(|| format!("{} is damaged", path.display())).usage()?;
@@ -63,6 +63,13 @@ pub fn claim(folder: &Path, scene: &str, settings: &Map<String, Value>) -> Resul
             .usage()
         }
     }
+}
+
+fn note(folder: &Path, file: &str, settings: &Map<String, Value>) -> Result<(), Failure> {
+    let mut batch = Batch::new(folder).work()?;
+    batch.write_text(file, &serde_json::to_string_pretty(settings).work()?).work()?;
+    batch.commit().work()?;
+    Ok(())
 }
 
 #[cfg(test)]
@@ -91,5 +98,10 @@ mod tests {
             }
             _ => panic!("another width was accepted"),
         }
+        std::fs::write(folder.path().join("c_frames.json"), [0xff, 0xfe]).unwrap();
+        assert!(
+            matches!(claim(folder.path(), "c", &settings(8)), Err(Failure::Work(_))),
+            "not text, and not absent"
+        );
     }
 }

@@ -134,7 +134,8 @@ fn settings(
     let rig = &first.scene.rig;
     let mut content = DefaultHasher::new();
     content.write(&std::fs::read(&first.path).work()?);
-    let settings: [(_, Value); 10] = [
+    let settings: [(_, Value); 11] = [
+        ("version", env!("CARGO_PKG_VERSION").into()),
         ("scene", format!("{:016x}", content.finish()).into()),
         ("width", rig.width.into()),
         ("height", rig.height.into()),
