@@ -196,7 +196,9 @@ impl StereoRig {
             forward: frame.forward.map(|c| c as f32 + 0.0),
             distance: (distance * scale) as f32,
             interaxial_px: self.interaxial_px,
-            padding: [0; 3],
+            jitter_seed: 0,
+            spacing_log2: 0,
+            refines: 0,
         }
     }
 }

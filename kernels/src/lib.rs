@@ -6,6 +6,7 @@
 pub mod bounce;
 pub mod primary;
 pub mod rays;
+pub mod sampling;
 pub mod shade;
 pub mod shadow;
 pub mod stereo;

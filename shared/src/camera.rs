@@ -6,19 +6,24 @@
 
 use crate::layout::{Ray, View};
 use crate::math;
-use glam::Vec3;
+use crate::sampling::jitter;
+use glam::{Vec2, Vec3};
 
-/// The direction from the eye through the centre of pixel (`x`, `y`) of the picture (rows counted from the
-/// top of the picture, not of the band). Its component along the view's axis is d: it ends on the
-/// zero-parallax plane.
+/// The direction from the eye through pixel (`x`, `y`) of the picture (rows counted from the top of the picture, not of the band):
+/// through its centre, or through a place of its own where the view is jittered. Its component along the view's axis is d: it ends on
+/// the zero-parallax plane.
 #[inline(always)]
 pub fn pixel_direction(view: &View, x: u32, y: u32) -> Vec3 {
-    let across = Vec3::from_array(view.step_x) * x as f32;
-    let down = Vec3::from_array(view.step_y) * y as f32;
+    let mut place = Vec2::new(x as f32, y as f32);
+    if view.jitter_seed != 0 {
+        place += jitter::offset(view.jitter_seed, x, y);
+    }
+    let across = Vec3::from_array(view.step_x) * place.x;
+    let down = Vec3::from_array(view.step_y) * place.y;
     (Vec3::from_array(view.corner) + across) + down
 }
 
-/// The ray through the centre of pixel (`x`, `y`); `t` = 1 on the zero-parallax plane.
+/// The ray through pixel (`x`, `y`); `t` = 1 on the zero-parallax plane.
 #[inline(always)]
 pub fn primary_ray(view: &View, x: u32, y: u32) -> Ray {
     Ray { origin: view.eye, t_min: 0.0, dir: pixel_direction(view, x, y).to_array(), t_max: f32::INFINITY }

@@ -254,8 +254,12 @@ pub struct View {
     pub distance: f32,
     /// Disparity in pixels of a point at infinity (see `camera::disparity`).
     pub interaxial_px: f32,
-    /// Zero.
-    pub padding: [u32; 3],
+    /// Seed of the places of rays within their pixels; 0 when they go through the centres.
+    pub jitter_seed: u32,
+    /// A pass visits each 2ˢ-th pixel of each 2ˢ-th row of the band (a level of `sampling::lattice`).
+    pub spacing_log2: u32,
+    /// 1 when it leaves out those that it would visit with twice the spacing.
+    pub refines: u32,
 }
 
 /// How a band is reprojected from one view, the source, to the other one.
@@ -287,10 +291,48 @@ pub struct Reprojection {
     pub keep_hits: u32,
     /// 1 when the colours of reused pixels are copied.
     pub copies: u32,
-    /// Sub-pixels a side of the jittered grid; 0 or 1 for none.
-    pub samples: u32,
-    /// Seed of the jitter.
-    pub seed: u32,
+    /// Seed of the places of rays within their pixels (see [`View::jitter_seed`]).
+    pub jitter_seed: u32,
+    /// First row of the band, of the picture.
+    pub first_row: u32,
+    /// 1 when not every column of the source was sampled.
+    pub sparse: u32,
     /// Zero.
-    pub padding: [u32; 3],
+    pub padding: [u32; 2],
+}
+
+/// The points of a band at which a pixel is sampled (see `sampling::lattice`).
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Lattice {
+    /// Columns of pixels.
+    pub width: u32,
+    /// Rows of pixels in the band.
+    pub rows: u32,
+    /// Points from a pixel to the next one: a power of two where neighbours share points.
+    pub per_pixel: u32,
+    /// 1 when neighbours share the points of their common edge, 0 when each pixel has its own.
+    pub shares_edges: u32,
+}
+
+/// Which cells of a lattice are divided.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+pub struct Refinement {
+    /// Those of whose corners two differ by more in a colour.
+    pub tolerance: f32,
+    /// 1 when it was planned where points come from, 0 when all are traced.
+    pub plans: u32,
+}
+
+/// What one point of a lattice sees, and the rays that it took.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C, align(16))]
+pub struct Sample {
+    /// Linear colour.
+    pub colour: [f32; 3],
+    /// Zero.
+    pub padding: u32,
+    /// Rays of every kind.
+    pub rays: RayCounts,
 }

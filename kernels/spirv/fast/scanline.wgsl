@@ -10,63 +10,70 @@ fn scanline(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 8>;
   var r1: array<u32, 8>;
   var r2: array<u32, 8>;
-  var p34: u32;
-  var p35: u32;
-  var p41: u32;
-  var p42: u32;
-  var p43: u32;
+  var p36: u32;
+  var p37: u32;
   var p44: u32;
   var p45: u32;
-  var p88: u32;
-  var p52: bool;
-  var p364: u32;
-  var p139: u32;
-  var p140: u32;
-  var p154: u32;
-  var p158: u32;
-  var p193: u32;
-  var p194: bool;
-  var p191: u32;
-  var p137: u32;
-  var p138: u32;
-  var p176: u32;
-  var p177: u32;
+  var p46: u32;
+  var p47: u32;
+  var p90: u32;
+  var p54: bool;
+  var p463: u32;
+  var p128: f32;
+  var p129: bool;
+  var p182: f32;
+  var p181: f32;
   var p207: u32;
-  var p216: u32;
-  var p217: u32;
-  var p218: bool;
-  let v258 = global_invocation_id[0u];
-  let v264 = r4.w0;
-  let v20 = (v264 != 0u);
+  var p315: u32;
+  var p316: bool;
+  var p317: bool;
+  var p492: bool;
+  var p215: bool;
+  var p204: u32;
+  var p206: bool;
+  var p223: bool;
+  var p225: bool;
+  var p235: u32;
+  var p236: u32;
+  var p269: u32;
+  var p273: u32;
+  var p268: u32;
+  var p233: u32;
+  var p243: u32;
+  var p244: u32;
+  var p309: u32;
+  var p310: u32;
+  var p311: bool;
+  let v356 = global_invocation_id[0u];
+  let v362 = r4.w0;
+  let v20 = (v362 != 0u);
   if v20 {
-    let v21 = (v264 * v258);
-    p34 = v21;
-    p35 = v264;
+    let v21 = (v362 * v356);
+    p36 = v21;
+    p37 = v362;
     var done0 = false;
     loop {
       if done0 { break; }
-      let v34 = p34;
-      let v35 = p35;
-      let v265 = r3[0u][1u];
-      let v37 = (v34 < v265);
-      if v37 {
-        let v266 = r3[0u][0u];
-        let v39 = (v266 != 0u);
-        if v39 {
-          let v267 = min(v266, 8u);
-          p41 = v266;
-          p42 = 4294967295u;
-          p43 = 0u;
-          p44 = v267;
+      let v36 = p36;
+      let v37 = p37;
+      let v363 = r3[0u][1u];
+      let v39 = (v36 < v363);
+      if v39 {
+        let v364 = r3[0u][0u];
+        let v41 = (v364 != 0u);
+        if v41 {
+          let v365 = min(v364, 8u);
+          p44 = 0u;
           p45 = 0u;
+          p46 = v365;
+          p47 = 4294967295u;
           var done1 = false;
           loop {
             if done1 { break; }
-            let v41 = p41;
-            let v42 = p42;
-            let v43 = p43;
             let v44 = p44;
             let v45 = p45;
+            let v46 = p46;
+            let v47 = p47;
             r0[0u] = 0u;
             r0[1u] = 0u;
             r0[2u] = 0u;
@@ -75,106 +82,106 @@ fn scanline(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             r0[5u] = 0u;
             r0[6u] = 0u;
             r0[7u] = 0u;
-            let v46 = (v44 - v45);
-            let v47 = (v46 != 8u);
-            if v47 {
-              let v48 = (v45 < v44);
-              if v48 {
-                let v49 = (v41 * v34);
-                let v276 = r3[0u][3u];
-                let v51 = (v276 == 0u);
-                p88 = v45;
+            let v48 = (v46 - v45);
+            let v49 = (v48 != 8u);
+            if v49 {
+              let v50 = (v45 < v46);
+              if v50 {
+                let v51 = (v364 * v36);
+                let v374 = r3[0u][3u];
+                let v53 = (v374 == 0u);
+                p90 = v45;
                 var done2 = false;
                 loop {
                   if done2 { break; }
-                  let v88 = p88;
-                  let v89 = (v88 - v45);
-                  let v90 = (v88 ^ 4294967295u);
-                  let v91 = (v41 + v90);
-                  let v92 = select(v91, v88, v51);
-                  let v93 = (v92 + v49);
-                  let v277 = (v93 * 2u);
-                  let v278 = r5[v277];
-                  r0[v89] = v278;
-                  let v100 = (v88 + 1u);
-                  let v101 = (v100 == v44);
-                  p88 = v100;
-                  done2 = v101;
+                  let v90 = p90;
+                  let v91 = (v90 - v45);
+                  let v92 = (v90 ^ 4294967295u);
+                  let v93 = (v364 + v92);
+                  let v94 = select(v93, v90, v53);
+                  let v95 = (v94 + v51);
+                  let v375 = (v95 * 2u);
+                  let v376 = r5[v375];
+                  r0[v91] = v376;
+                  let v102 = (v90 + 1u);
+                  let v103 = (v102 == v46);
+                  p90 = v102;
+                  done2 = v103;
                 }
               }
-              p52 = false;
+              p54 = false;
             } else {
-              p52 = true;
+              p54 = true;
             }
-            let v52 = p52;
-            if v52 {
-              let v281 = r3[0u][3u];
-              let v54 = (v281 == 0u);
-              let v55 = (v44 + 4294967295u);
-              let v282 = select(7u, 0u, v54);
-              let v57 = select(v55, v45, v54);
-              let v58 = (v41 * v34);
-              let v59 = (v57 ^ 4294967295u);
-              let v60 = (v41 + v59);
-              let v61 = select(v60, v45, v54);
-              let v62 = (v61 + v58);
-              let v283 = (v62 * 2u);
-              let v284 = (v282 * 2u);
-              let v285 = (v283 + v284);
-              let v286 = r5[v285];
-              r0[0u] = v286;
-              let v289 = (v282 ^ 1u);
-              let v291 = (v289 * 2u);
-              let v292 = (v283 + v291);
-              let v293 = r5[v292];
-              r0[1u] = v293;
-              let v296 = (v282 ^ 2u);
-              let v298 = (v296 * 2u);
-              let v299 = (v283 + v298);
-              let v300 = r5[v299];
-              r0[2u] = v300;
-              let v303 = (v282 ^ 3u);
-              let v305 = (v303 * 2u);
-              let v306 = (v283 + v305);
-              let v307 = r5[v306];
-              r0[3u] = v307;
-              let v310 = (v282 ^ 4u);
-              let v312 = (v310 * 2u);
-              let v313 = (v283 + v312);
-              let v314 = r5[v313];
-              r0[4u] = v314;
-              let v317 = (v282 ^ 5u);
-              let v319 = (v317 * 2u);
-              let v320 = (v283 + v319);
-              let v321 = r5[v320];
-              r0[5u] = v321;
-              let v324 = (v282 ^ 6u);
-              let v326 = (v324 * 2u);
-              let v327 = (v283 + v326);
-              let v328 = r5[v327];
-              r0[6u] = v328;
-              let v331 = (v282 ^ 7u);
-              let v333 = (v331 * 2u);
-              let v334 = (v283 + v333);
-              let v335 = r5[v334];
-              r0[7u] = v335;
+            let v54 = p54;
+            if v54 {
+              let v379 = r3[0u][3u];
+              let v56 = (v379 == 0u);
+              let v57 = (v46 + 4294967295u);
+              let v380 = select(7u, 0u, v56);
+              let v59 = select(v57, v45, v56);
+              let v60 = (v364 * v36);
+              let v61 = (v59 ^ 4294967295u);
+              let v62 = (v364 + v61);
+              let v63 = select(v62, v45, v56);
+              let v64 = (v63 + v60);
+              let v381 = (v64 * 2u);
+              let v382 = (v380 * 2u);
+              let v383 = (v381 + v382);
+              let v384 = r5[v383];
+              r0[0u] = v384;
+              let v387 = (v380 ^ 1u);
+              let v389 = (v387 * 2u);
+              let v390 = (v381 + v389);
+              let v391 = r5[v390];
+              r0[1u] = v391;
+              let v394 = (v380 ^ 2u);
+              let v396 = (v394 * 2u);
+              let v397 = (v381 + v396);
+              let v398 = r5[v397];
+              r0[2u] = v398;
+              let v401 = (v380 ^ 3u);
+              let v403 = (v401 * 2u);
+              let v404 = (v381 + v403);
+              let v405 = r5[v404];
+              r0[3u] = v405;
+              let v408 = (v380 ^ 4u);
+              let v410 = (v408 * 2u);
+              let v411 = (v381 + v410);
+              let v412 = r5[v411];
+              r0[4u] = v412;
+              let v415 = (v380 ^ 5u);
+              let v417 = (v415 * 2u);
+              let v418 = (v381 + v417);
+              let v419 = r5[v418];
+              r0[5u] = v419;
+              let v422 = (v380 ^ 6u);
+              let v424 = (v422 * 2u);
+              let v425 = (v381 + v424);
+              let v426 = r5[v425];
+              r0[6u] = v426;
+              let v429 = (v380 ^ 7u);
+              let v431 = (v429 * 2u);
+              let v432 = (v381 + v431);
+              let v433 = r5[v432];
+              r0[7u] = v433;
             }
-            let v338 = r0[0u];
-            let v339 = r0[1u];
-            let v340 = r0[2u];
-            let v341 = r0[3u];
-            let v342 = r0[4u];
-            let v343 = r0[5u];
-            let v344 = r0[6u];
-            let v345 = r0[7u];
-            r1[0u] = v338;
-            r1[1u] = v339;
-            r1[2u] = v340;
-            r1[3u] = v341;
-            r1[4u] = v342;
-            r1[5u] = v343;
-            r1[6u] = v344;
-            r1[7u] = v345;
+            let v436 = r0[0u];
+            let v437 = r0[1u];
+            let v438 = r0[2u];
+            let v439 = r0[3u];
+            let v440 = r0[4u];
+            let v441 = r0[5u];
+            let v442 = r0[6u];
+            let v443 = r0[7u];
+            r1[0u] = v436;
+            r1[1u] = v437;
+            r1[2u] = v438;
+            r1[3u] = v439;
+            r1[4u] = v440;
+            r1[5u] = v441;
+            r1[6u] = v442;
+            r1[7u] = v443;
             r2[0u] = 0u;
             r2[1u] = 0u;
             r2[2u] = 0u;
@@ -183,193 +190,333 @@ fn scanline(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             r2[5u] = 0u;
             r2[6u] = 0u;
             r2[7u] = 0u;
-            let v362 = r3[0u][2u];
-            let v363 = bitcast<f32>(v362);
-            p364 = 0u;
+            let v460 = r3[0u][2u];
+            let v461 = bitcast<f32>(v460);
+            let v462 = r3[2u][3u];
+            let v106 = (v462 != 0u);
+            let v107 = (v462 >> (16u & 31u));
+            let v108 = (v107 ^ v462);
+            let v109 = (v108 * 2146121005u);
+            let v110 = (v109 >> (15u & 31u));
+            let v111 = (v110 ^ v109);
+            let v112 = (v111 * 2221713035u);
+            let v113 = (v112 >> (16u & 31u));
+            let v114 = (v113 ^ v112);
+            p463 = 0u;
             var done3 = false;
             loop {
               if done3 { break; }
-              let v364 = p364;
-              let v366 = (v364 + 1u);
-              let v367 = r1[v364];
-              let v368 = bitcast<f32>(v367);
-              let v108 = (v368 == bitcast<f32>(bits_7f800000));
-              let v109 = (v368 + -1.0f);
-              let v110 = (v109 / v368);
-              let v111 = (v363 * v110);
-              let v112 = select(v111, v363, v108);
-              let v113 = (v112 > -1048576.0f);
-              let v114 = select(-1048576.0f, v112, v113);
-              let v115 = (v114 < 1048576.0f);
-              let v116 = select(1048576.0f, v114, v115);
-              let v117 = (v116 + 12582912.0f);
-              let v118 = bitcast<u32>(v117);
-              let v119 = (v118 + 3032481792u);
-              let v120 = f32(bitcast<i32>(v119));
-              let v121 = (v116 - v120);
-              let v122 = (v121 >= 0.5f);
-              let v123 = select(0u, 1u, v122);
-              let v124 = (v45 + v364);
-              let v125 = (v124 + v119);
-              let v126 = (v125 + v123);
-              let v369 = bitcast<u32>(min(bitcast<i32>(v41), bitcast<i32>(v126)));
-              let v370 = bitcast<u32>(max(bitcast<i32>(v369), bitcast<i32>(4294967295u)));
-              r2[v364] = v370;
-              let v372 = (v366 == 8u);
-              p364 = v366;
-              done3 = v372;
+              let v463 = p463;
+              let v465 = (v463 + 1u);
+              let v466 = r1[v463];
+              let v467 = bitcast<f32>(v466);
+              let v120 = (v45 + v463);
+              let v121 = (v467 == bitcast<f32>(bits_7f800000));
+              let v122 = (v467 + -1.0f);
+              let v123 = (v122 / v467);
+              let v124 = (v461 * v123);
+              let v125 = select(v124, v461, v121);
+              if v106 {
+                let v468 = r3[0u][3u];
+                let v127 = (v468 != 0u);
+                if v127 {
+                  let v154 = (v120 ^ 4294967295u);
+                  let v155 = (v364 + v154);
+                  let v469 = r3[3u][0u];
+                  let v157 = (v469 + v36);
+                  let v158 = (v157 >> (16u & 31u));
+                  let v159 = (v157 ^ v158);
+                  let v160 = (v159 ^ v112);
+                  let v161 = (v160 * 2146121005u);
+                  let v162 = (v161 >> (15u & 31u));
+                  let v163 = (v162 ^ v161);
+                  let v164 = (v163 * 2221713035u);
+                  let v165 = (v164 >> (16u & 31u));
+                  let v166 = (v155 ^ v165);
+                  let v167 = (v166 ^ v164);
+                  let v168 = (v167 >> (16u & 31u));
+                  let v169 = (v168 ^ v167);
+                  let v170 = (v169 * 2146121005u);
+                  let v171 = (v170 >> (15u & 31u));
+                  let v172 = (v171 ^ v170);
+                  let v173 = (v172 * 2221713035u);
+                  let v174 = (v173 >> (16u & 31u));
+                  let v175 = (v173 & 65535u);
+                  let v176 = (v175 ^ v174);
+                  let v177 = f32(v176);
+                  let v178 = (v177 * 1.5258789e-5f);
+                  let v179 = (v178 + -0.49999237f);
+                  let v180 = -(v179);
+                  p128 = v180;
+                  p129 = false;
+                } else {
+                  p129 = true;
+                }
+                let v128 = p128;
+                let v129 = p129;
+                if v129 {
+                  let v470 = r3[3u][0u];
+                  let v131 = (v470 + v36);
+                  let v132 = (v131 ^ v114);
+                  let v133 = (v132 >> (16u & 31u));
+                  let v134 = (v133 ^ v132);
+                  let v135 = (v134 * 2146121005u);
+                  let v136 = (v135 >> (15u & 31u));
+                  let v137 = (v136 ^ v135);
+                  let v138 = (v137 * 2221713035u);
+                  let v139 = (v138 >> (16u & 31u));
+                  let v140 = (v120 ^ v139);
+                  let v141 = (v140 ^ v138);
+                  let v142 = (v141 >> (16u & 31u));
+                  let v143 = (v142 ^ v141);
+                  let v144 = (v143 * 2146121005u);
+                  let v145 = (v144 >> (15u & 31u));
+                  let v146 = (v145 ^ v144);
+                  let v147 = (v146 * 2221713035u);
+                  let v148 = (v147 >> (16u & 31u));
+                  let v149 = (v147 & 65535u);
+                  let v150 = (v149 ^ v148);
+                  let v151 = f32(v150);
+                  let v152 = (v151 * 1.5258789e-5f);
+                  let v153 = (v152 + -0.49999237f);
+                  p182 = v153;
+                } else {
+                  p182 = v128;
+                }
+                let v182 = p182;
+                let v183 = (v125 + v182);
+                p181 = v183;
+              } else {
+                p181 = v125;
+              }
+              let v181 = p181;
+              let v184 = (v181 > -1048576.0f);
+              let v185 = select(-1048576.0f, v181, v184);
+              let v186 = (v185 < 1048576.0f);
+              let v187 = select(1048576.0f, v185, v186);
+              let v188 = (v187 + 12582912.0f);
+              let v189 = bitcast<u32>(v188);
+              let v190 = (v189 + 3032481792u);
+              let v191 = f32(bitcast<i32>(v190));
+              let v192 = (v187 - v191);
+              let v193 = (v192 >= 0.5f);
+              let v194 = select(0u, 1u, v193);
+              let v195 = (v190 + v120);
+              let v196 = (v195 + v194);
+              let v471 = bitcast<u32>(min(bitcast<i32>(v364), bitcast<i32>(v196)));
+              let v472 = bitcast<u32>(max(bitcast<i32>(v471), bitcast<i32>(4294967295u)));
+              let v199 = (v467 < 0.0f);
+              let v200 = select(v472, 4294967294u, v199);
+              r2[v463] = v200;
+              let v474 = (v465 == 8u);
+              p463 = v465;
+              done3 = v474;
             }
-            let v131 = (v45 < v44);
-            if v131 {
-              p139 = v42;
-              p140 = v45;
+            let v203 = (v45 < v46);
+            if v203 {
+              p207 = v45;
               var done4 = false;
               loop {
                 if done4 { break; }
-                let v139 = p139;
-                let v140 = p140;
-                let v141 = (v140 - v45);
-                let v373 = r2[v141];
-                let v146 = (v139 + 1u);
-                let v374 = r3[2u][0u];
-                let v148 = (v374 != 0u);
-                let v149 = (bitcast<i32>(v146) < bitcast<i32>(v373));
-                let v150 = (v149 & v148);
-                if v150 {
-                  let v152 = (bitcast<i32>(v373) < bitcast<i32>(v266));
-                  let v153 = select(0u, 1u, v152);
-                  p154 = v153;
+                let v207 = p207;
+                let v208 = (v207 - v45);
+                let v475 = r2[v208];
+                let v213 = (v475 == 4294967294u);
+                if v213 {
+                  let v220 = (v207 + 1u);
+                  let v221 = (v220 == v46);
+                  p315 = v220;
+                  p316 = false;
+                  p317 = v221;
                 } else {
-                  p154 = 0u;
+                  p316 = true;
+                  p317 = true;
                 }
-                let v154 = p154;
-                let v155 = (v154 + v373);
-                let v156 = (bitcast<i32>(v146) < bitcast<i32>(v155));
-                if v156 {
-                  let v157 = (v140 + 1u);
-                  p158 = v146;
-                  var done5 = false;
+                let v315 = p315;
+                let v316 = p316;
+                let v317 = p317;
+                let v318 = (v316 != true);
+                p207 = v315;
+                p204 = v207;
+                p492 = v318;
+                done4 = v317;
+              }
+              let v492 = p492;
+              if v492 {
+                p223 = true;
+                p215 = false;
+              } else {
+                p223 = false;
+                p215 = true;
+              }
+              let v215 = p215;
+              if v215 {
+                p206 = true;
+              } else {
+                p204 = v46;
+                p206 = false;
+              }
+            } else {
+              p204 = v45;
+              p223 = false;
+              p206 = true;
+            }
+            let v204 = p204;
+            let v206 = p206;
+            if v206 {
+              let v218 = (v204 == v46);
+              let v219 = (v218 != true);
+              p225 = v219;
+              p223 = v218;
+            } else {
+              p225 = false;
+            }
+            let v223 = p223;
+            if v223 {
+              let v224 = (v46 >= v364);
+              p225 = v224;
+            }
+            let v225 = p225;
+            if v225 {
+              let v226 = (v204 < v46);
+              if v226 {
+                p235 = v47;
+                p236 = v204;
+                var done5 = false;
+                loop {
+                  if done5 { break; }
+                  let v235 = p235;
+                  let v236 = p236;
+                  let v237 = (v236 - v45);
+                  let v476 = r2[v237];
+                  let v242 = (v476 != 4294967294u);
+                  if v242 {
+                    let v260 = (v235 + 1u);
+                    let v477 = r3[2u][0u];
+                    let v262 = (v477 != 0u);
+                    let v263 = (bitcast<i32>(v260) < bitcast<i32>(v476));
+                    let v264 = (v263 & v262);
+                    if v264 {
+                      let v266 = (bitcast<i32>(v476) < bitcast<i32>(v364));
+                      let v267 = select(0u, 1u, v266);
+                      p269 = v267;
+                    } else {
+                      p269 = 0u;
+                    }
+                    let v269 = p269;
+                    let v270 = (v269 + v476);
+                    let v271 = (bitcast<i32>(v260) < bitcast<i32>(v270));
+                    if v271 {
+                      let v272 = (v236 + 1u);
+                      p273 = v260;
+                      var done6 = false;
+                      loop {
+                        if done6 { break; }
+                        let v273 = p273;
+                        let v275 = (v364 * v36);
+                        let v480 = r3[0u][3u];
+                        let v277 = (v480 == 0u);
+                        let v278 = (v273 ^ 4294967295u);
+                        let v279 = (v364 + v278);
+                        let v280 = select(v279, v273, v277);
+                        let v281 = (v280 + v275);
+                        atomicStore(&r7[v281], v272);
+                        let v285 = (v273 + 1u);
+                        let v286 = (v285 == v270);
+                        p273 = v285;
+                        done6 = v286;
+                      }
+                    }
+                    let v288 = (v476 < v364);
+                    if v288 {
+                      let v289 = (v364 * v36);
+                      let v483 = r3[0u][3u];
+                      let v291 = (v483 == 0u);
+                      let v292 = (v476 ^ 4294967295u);
+                      let v293 = (v364 + v292);
+                      let v294 = select(v293, v476, v291);
+                      let v295 = (v294 + v289);
+                      let v299 = (v236 + 1u);
+                      atomicStore(&r6[v295], v299);
+                    }
+                    p268 = v476;
+                  } else {
+                    p268 = v235;
+                  }
+                  let v268 = p268;
+                  let v258 = (v236 + 1u);
+                  let v259 = (v258 == v46);
+                  p235 = v268;
+                  p236 = v258;
+                  p233 = v268;
+                  done5 = v259;
+                }
+              } else {
+                p233 = v47;
+              }
+              let v233 = p233;
+              let v229 = (v46 == v364);
+              if v229 {
+                let v230 = (v233 + 1u);
+                let v231 = (bitcast<i32>(v230) < bitcast<i32>(v46));
+                if v231 {
+                  let v232 = (v46 + 1u);
+                  p243 = v230;
+                  p244 = v233;
+                  var done7 = false;
                   loop {
-                    if done5 { break; }
-                    let v158 = p158;
-                    let v160 = (v266 * v34);
-                    let v377 = r3[0u][3u];
-                    let v162 = (v377 == 0u);
-                    let v163 = (v158 ^ 4294967295u);
-                    let v164 = (v266 + v163);
-                    let v165 = select(v164, v158, v162);
-                    let v166 = (v165 + v160);
-                    atomicStore(&r7[v166], v157);
-                    let v170 = (v158 + 1u);
-                    let v171 = (v170 == v155);
-                    p158 = v170;
-                    done5 = v171;
+                    if done7 { break; }
+                    let v243 = p243;
+                    let v244 = p244;
+                    let v246 = (v364 * v36);
+                    let v487 = r3[0u][3u];
+                    let v248 = (v487 == 0u);
+                    let v249 = (v364 - v244);
+                    let v250 = (v249 + 4294967294u);
+                    let v251 = select(v250, v243, v248);
+                    let v252 = (v251 + v246);
+                    atomicStore(&r7[v252], v232);
+                    let v256 = (v243 + 1u);
+                    let v257 = (v256 == v46);
+                    p243 = v256;
+                    p244 = v243;
+                    done7 = v257;
                   }
                 }
-                let v173 = (v373 >= v266);
-                if v173 {
-                  let v174 = (v140 + 1u);
-                  p193 = v174;
-                  p194 = false;
-                } else {
-                  p194 = true;
-                }
-                let v193 = p193;
-                let v194 = p194;
-                if v194 {
-                  let v195 = (v266 * v34);
-                  let v380 = r3[0u][3u];
-                  let v197 = (v380 == 0u);
-                  let v198 = (v373 ^ 4294967295u);
-                  let v199 = (v266 + v198);
-                  let v200 = select(v199, v373, v197);
-                  let v201 = (v200 + v195);
-                  let v205 = (v140 + 1u);
-                  atomicStore(&r6[v201], v205);
-                  p191 = v205;
-                } else {
-                  p191 = v193;
-                }
-                let v191 = p191;
-                let v192 = (v191 == v44);
-                p139 = v373;
-                p140 = v191;
-                p137 = v373;
-                done4 = v192;
               }
-              p138 = v266;
+              p47 = v233;
             } else {
-              p137 = v42;
-              p138 = v41;
+              p47 = v47;
             }
-            let v137 = p137;
-            let v138 = p138;
-            let v133 = (v44 == v138);
-            if v133 {
-              let v134 = (v137 + 1u);
-              let v135 = (bitcast<i32>(v134) < bitcast<i32>(v44));
-              if v135 {
-                let v136 = (v44 + 1u);
-                p176 = v134;
-                p177 = v137;
-                var done6 = false;
-                loop {
-                  if done6 { break; }
-                  let v176 = p176;
-                  let v177 = p177;
-                  let v179 = (v266 * v34);
-                  let v384 = r3[0u][3u];
-                  let v181 = (v384 == 0u);
-                  let v182 = (v266 - v177);
-                  let v183 = (v182 + 4294967294u);
-                  let v184 = select(v183, v176, v181);
-                  let v185 = (v184 + v179);
-                  atomicStore(&r7[v185], v136);
-                  let v189 = (v176 + 1u);
-                  let v190 = (v189 == v44);
-                  p176 = v189;
-                  p177 = v176;
-                  done6 = v190;
-                }
-                p207 = v266;
-              } else {
-                p207 = v44;
-              }
-            } else {
-              p207 = v138;
-            }
-            let v207 = p207;
-            let v208 = (v43 + 1u);
-            let v209 = (v208 << (3u & 31u));
-            let v387 = min(v209, v207);
-            let v211 = (v207 - v387);
-            let v212 = (v211 < 8u);
-            let v213 = (v387 + 8u);
-            let v214 = select(v213, v207, v212);
-            let v215 = (v387 == v214);
-            p41 = v207;
-            p42 = v137;
-            p43 = v208;
-            p44 = v214;
-            p45 = v387;
-            done1 = v215;
+            let v300 = (v44 + 1u);
+            let v301 = (v300 << (3u & 31u));
+            let v490 = min(v301, v364);
+            let v304 = (v364 - v490);
+            let v305 = (v304 < 8u);
+            let v306 = (v490 + 8u);
+            let v307 = select(v306, v364, v305);
+            let v308 = (v490 == v307);
+            p44 = v300;
+            p45 = v490;
+            p46 = v307;
+            done1 = v308;
           }
         }
-        let v219 = (v34 + 1u);
-        let v220 = (v35 + 4294967295u);
-        let v221 = (v220 == 0u);
-        p216 = v220;
-        p217 = v219;
-        p218 = v221;
+        let v312 = (v36 + 1u);
+        let v313 = (v37 + 4294967295u);
+        let v314 = (v313 == 0u);
+        p309 = v313;
+        p310 = v312;
+        p311 = v314;
       } else {
-        p218 = true;
+        p311 = true;
       }
-      let v216 = p216;
-      let v217 = p217;
-      let v218 = p218;
-      p34 = v217;
-      p35 = v216;
-      done0 = v218;
+      let v309 = p309;
+      let v310 = p310;
+      let v311 = p311;
+      p36 = v310;
+      p37 = v309;
+      done0 = v311;
     }
   }
   return;

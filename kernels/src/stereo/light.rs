@@ -32,7 +32,7 @@ pub fn light(
             let scene = SceneView { info, rows, triangles, records, texels, effects: Effects(effects) };
             let ray = camera::primary_ray(view, id.x, view.first_row + id.y);
             let surface = reconstruct(&scene, &ray, hits.at(pixel), view.interaxial_px);
-            let (colour, rays) = direct(&scene, &surface, ray.dir.into());
+            let (colour, rays) = direct(&scene, &surface, ray.dir.into(), |_, _| {});
             colours.put(pixel, colour.extend(1.0).to_array());
             counts.put(pixel, rays);
         }

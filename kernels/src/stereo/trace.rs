@@ -5,6 +5,7 @@ use glam::UVec3;
 use kernel_api::{At, Out, spirv};
 use parallax_shared::camera;
 use parallax_shared::layout::{Hit, NONE, Reprojection, Row, SceneInfo, View};
+use parallax_shared::sampling::lattice;
 use parallax_shared::stereo::settle::{concluded, ray_end};
 use parallax_shared::stereo::source::is_reused;
 use parallax_shared::traversal::closest_hit;
@@ -22,17 +23,17 @@ pub fn trace(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] words: &[AtomicU32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 6)] hits: Out<Hit>,
 ) {
-    if id.x < p.width && id.y < p.rows {
-        let first = id.y * p.width;
-        let word = words.at_ref(first + id.x).load(Relaxed);
+    if let Some([x, y]) = lattice::point(view, id.x, id.y) {
+        let first = y * view.width;
+        let word = words.at_ref(first + x).load(Relaxed);
         if let Some(end) = ray_end(p, word, |column| source_hits.at(first + column).t) {
-            let mut ray = camera::primary_ray(view, id.x, view.first_row + id.y);
+            let mut ray = camera::primary_ray(view, x, view.first_row + y);
             ray.t_max = end;
             let hit = closest_hit(rows, &ray, info.extent);
             let word = concluded(word, hit.prim_id != NONE);
             if !is_reused(word) {
-                words.at_ref(first + id.x).store(word, Relaxed);
-                hits.put(first + id.x, hit);
+                words.at_ref(first + x).store(word, Relaxed);
+                hits.put(first + x, hit);
             }
         }
     }

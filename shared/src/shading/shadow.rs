@@ -41,16 +41,29 @@ pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, 
 }
 
 /// The colour that a primary ray in direction `dir` sees at `surface`, without reflection and refraction, and the rays to lights that
-/// it took: what [`trace`] and [`shade`] do, bit for bit, without anything kept in between.
+/// it took: what [`trace`] and [`shade`] do, bit for bit, without anything kept in between. `note` gets the words that `trace` would put,
+/// as far as `shade` would ask for them.
 #[inline(always)]
-pub fn direct(scene: &SceneView<'_>, surface: &Surface, dir: Vec3) -> (Vec3, RayCounts) {
+pub fn direct(
+    scene: &SceneView<'_>,
+    surface: &Surface,
+    dir: Vec3,
+    mut note: impl FnMut(u32, u32),
+) -> (Vec3, RayCounts) {
     let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
     if surface.prim_id == NONE {
         return (sky::colour(scene, dir), counts);
     }
     let material = light::material_of(scene, surface);
-    let local = light::local(scene, surface, &material, vector::normalize(dir), |_, light| {
-        light::is_seen(scene, surface, light, &mut counts)
+    let mut bits = 0;
+    let local = light::local(scene, surface, &material, vector::normalize(dir), |i, light| {
+        let seen = light::is_seen(scene, surface, light, &mut counts);
+        bits |= (seen as u32) << (i & 31);
+        if i & 31 == 31 || i + 1 == scene.info.lights {
+            note(i >> 5, bits);
+            bits = 0;
+        }
+        seen
     });
     (local.diffuse + local.specular, counts)
 }

@@ -5,10 +5,13 @@
 //! the largest key of a write there exceeds the largest key of a clearing. Of the sources of one pixel, that with the largest column
 //! has the smallest shift, hence the smallest `t`: it is the nearest one.
 //!
+//! Columns that were not sampled (001's adaptive sampling leaves most of a row out) neither land nor end a gap: between two sampled
+//! neighbours what lands is questionable, whatever their distance in the source.
+//!
 //! The picture's edges are columns like others: column −1 lands on −1 and column w on w, so that the strip before the first target
 //! and that behind the last one are gaps (001's initialisation and its last-pixel rule in one).
 
-use super::reprojection::{key, pixel, target};
+use super::reprojection::{NOWHERE, key, pixel, target};
 use crate::layout::{Hit, Reprojection};
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use kernel_api::At;
@@ -59,7 +62,7 @@ impl<'a> Run<'a> {
         let t = self.depths(hits);
         let mut targets = [0; RUN as usize];
         for lane in 0..RUN as usize {
-            targets[lane] = target(self.p, t[lane], self.first + lane as u32);
+            targets[lane] = target(self.p, t[lane], self.first + lane as u32, self.row);
         }
         targets
     }
@@ -87,33 +90,43 @@ impl<'a> Run<'a> {
         t
     }
 
-    /// Where the column before the run lands.
+    /// Where the last sampled column before the run lands; −1 when there is none.
     #[inline(always)]
     pub fn target_before(&self, hits: &[Hit]) -> i32 {
-        if self.first == 0 { -1 } else { landing(self.p, hits, self.first - 1, self.row) }
+        last_target(self.first, |x| landing(self.p, hits, x, self.row)).1
     }
 
-    /// Calls `land(pixel, x)` for each column `x` of the run that lands in the picture, and `set(entry, key)` for each entry of `gaps`
-    /// between the targets: of column x, `target(x)`, and `before` of the column before the run. Returns the last target.
+    /// Calls `land(pixel, x)` for each sampled column `x` of the run that lands in the picture, and `set(entry, key)` for each entry of
+    /// `gaps` between the targets: of column x, `target(x)`, and `before()` of the column before the run. Returns the last target;
+    /// [`NOWHERE`] if no column of the run was sampled and the row goes on: then there is nothing to do, and `before` is not asked.
     ///
     /// 001's and 000's pseudocode guard a target by `j < w` alone; in front of the zero-parallax plane j < 0 occurs too.
     #[inline(always)]
     pub fn walk(
         &self,
-        mut before: i32,
+        before: impl Fn() -> i32,
         target: impl Fn(u32) -> i32,
         gaps: &[AtomicU32],
         set: impl Fn(&AtomicU32, u32),
         land: impl Fn(u32, u32),
     ) -> i32 {
         let mut x = self.first;
+        while x < self.end && target(x) == NOWHERE {
+            x += 1;
+        }
+        if x == self.end && self.end < self.p.width {
+            return NOWHERE;
+        }
+        let mut before = before();
         while x < self.end {
             let target = target(x);
-            self.mark(before, target, |pixel| set(gaps.at_ref(pixel), key(x)));
-            if is_inside(self.p, target) {
-                land(self.pixel(target as u32), x);
+            if target != NOWHERE {
+                self.mark(before, target, |pixel| set(gaps.at_ref(pixel), key(x)));
+                if is_inside(self.p, target) {
+                    land(self.pixel(target as u32), x);
+                }
+                before = target;
             }
-            before = target;
             x += 1;
         }
         if self.end == self.p.width {
@@ -148,7 +161,21 @@ pub fn overwrite(entry: &AtomicU32, key: u32) {
 /// Where column `x` of `row` lands; column w, which there is not, on w.
 #[inline(always)]
 pub fn landing(p: &Reprojection, hits: &[Hit], x: u32, row: u32) -> i32 {
-    if x < p.width { target(p, hits.at_ref(pixel(p, x, row)).t, x) } else { p.width as i32 }
+    if x < p.width { target(p, hits.at_ref(pixel(p, x, row)).t, x, row) } else { p.width as i32 }
+}
+
+/// How many columns there are up to the last one before `end` that was sampled, and where it lands: 0 and −1 when none was.
+#[inline(always)]
+pub fn last_target(end: u32, target: impl Fn(u32) -> i32) -> (u32, i32) {
+    let mut columns = end;
+    while columns > 0 {
+        let last = target(columns - 1);
+        if last != NOWHERE {
+            return (columns, last);
+        }
+        columns -= 1;
+    }
+    (0, -1)
 }
 
 /// Whether a target is in the picture; −1, as a number without a sign, is not.

@@ -3,7 +3,7 @@
 //! Departures from 000 Alg. 1: its test `oldR − rep > 1` is the other way round, it marks `I_ri` where `I_r,rep` is meant, and like
 //! 001 it lets a target below 0 through (see [`run`](super::run)). 003 fig. 5.4 clears from `prev` on, which is a valid pixel.
 
-use super::reprojection::key;
+use super::reprojection::{NOWHERE, key};
 use super::run::{Run, overwrite};
 use crate::layout::{Hit, Reprojection};
 use core::sync::atomic::AtomicU32;
@@ -18,9 +18,16 @@ pub fn scanline(p: &Reprojection, hits: &[Hit], candidates: &[AtomicU32], gaps: 
     while !run.is_empty() {
         let targets = run.targets(hits);
         let target = |x| targets.at(x - run.first);
-        before = run.walk(before, target, gaps, overwrite, |pixel, x| {
-            overwrite(candidates.at_ref(pixel), key(x));
-        });
+        let last = run.walk(
+            || before,
+            target,
+            gaps,
+            overwrite,
+            |pixel, x| {
+                overwrite(candidates.at_ref(pixel), key(x));
+            },
+        );
+        before = if last == NOWHERE { before } else { last };
         number += 1;
         run = Run::new(p, number, row);
     }

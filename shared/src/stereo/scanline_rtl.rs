@@ -5,7 +5,7 @@
 //! table of gaps: the result is that of [`scanline`](super::scanline).
 
 use super::reprojection::{EMPTY, key, pixel};
-use super::run::{gap, is_inside, landing};
+use super::run::{gap, is_inside, landing, last_target};
 use crate::layout::{Hit, Reprojection};
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use kernel_api::At;
@@ -13,20 +13,20 @@ use kernel_api::At;
 /// Fills `row` of both tables, which must be empty and belong to this invocation alone.
 #[inline(always)]
 pub fn scanline_rtl(p: &Reprojection, hits: &[Hit], candidates: &[AtomicU32], gaps: &[AtomicU32], row: u32) {
-    let (mut target, mut remaining) = (p.width as i32, p.width + 1);
-    while remaining > 0 {
-        let x = remaining - 1;
+    let (mut target, mut x, mut is_last) = (p.width as i32, p.width, false);
+    while !is_last {
         if is_inside(p, target) {
             fill(candidates.at_ref(pixel(p, target as u32, row)), key(x));
         }
-        let before = if x == 0 { -1 } else { landing(p, hits, x - 1, row) };
+        let (columns, before) = last_target(x, |x| landing(p, hits, x, row));
         let (mut cleared, end) = gap(p, before, target);
         while cleared < end {
             fill(gaps.at_ref(pixel(p, cleared as u32, row)), key(x));
             cleared += 1;
         }
+        is_last = columns == 0;
         target = before;
-        remaining = x;
+        x = columns.wrapping_sub(1);
     }
 }
 

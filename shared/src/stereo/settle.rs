@@ -66,7 +66,7 @@ impl Plan {
 #[inline(always)]
 pub fn ray_end(p: &Reprojection, word: u32, t: impl Fn(u32) -> f32) -> Option<f32> {
     match source::kind(word) {
-        source::REUSED => None,
+        source::REUSED | source::UNSAMPLED => None,
         source::VERIFIED => Some(nearer_by_a_pixel(p.interaxial_px, t(source::column(word)))),
         _ => Some(f32::INFINITY),
     }
@@ -79,13 +79,13 @@ pub fn concluded(word: u32, met: bool) -> u32 {
 }
 
 /// Whether depth steps between a pixel, whose candidate is source column `column`, and its neighbour: their shifts differ by two or
-/// more, or the neighbour is a hole.
+/// more, or the neighbour is a hole. Where not every column was sampled, a neighbour without a source tells nothing.
 #[inline(always)]
 fn steps(p: &Reprojection, candidates: &[u32], column: u32, x: u32, neighbour: u32, row: u32) -> bool {
     let other = candidates.at(pixel(p, neighbour, row));
     let shift = x as i32 - column as i32;
     let other_shift = neighbour as i32 - other.wrapping_sub(1) as i32;
-    other == EMPTY || (shift - other_shift + 1) as u32 > 2
+    if other == EMPTY { p.sparse == 0 } else { (shift - other_shift + 1) as u32 > 2 }
 }
 
 #[cfg(test)]

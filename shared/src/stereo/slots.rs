@@ -22,10 +22,16 @@ pub fn put(run: &Run<'_>, hits: &[Hit], slots: &[AtomicU32], gaps: &[AtomicU32])
     if !run.is_empty() && depth > 0 {
         let targets = run.targets(hits);
         let target = |x| targets.at(x - run.first);
-        run.walk(run.target_before(hits), target, gaps, raise, |pixel, x| {
-            let slot = slots.at_ref(pixel * depth + x % depth);
-            if exclusive { overwrite(slot, key(x)) } else { raise(slot, key(x)) }
-        });
+        run.walk(
+            || run.target_before(hits),
+            target,
+            gaps,
+            raise,
+            |pixel, x| {
+                let slot = slots.at_ref(pixel * depth + x % depth);
+                if exclusive { overwrite(slot, key(x)) } else { raise(slot, key(x)) }
+            },
+        );
     }
 }
 

@@ -18,6 +18,9 @@ pub const GUIDED: u32 = 5;
 /// Traced without any expectation (the exact method).
 pub const UNGUIDED: u32 = 6;
 
+/// Not sampled: no pixel needs this point of a lattice.
+pub const UNSAMPLED: u32 = 7;
+
 /// The word of a pixel for which the source's `column` was used.
 #[inline(always)]
 pub fn from_column(kind: u32, column: u32) -> u32 {
@@ -48,6 +51,12 @@ pub fn is_reused(source: u32) -> bool {
     kind(source) <= VERIFIED
 }
 
+/// Whether a ray found what the pixel shows.
+#[inline(always)]
+pub fn is_traced(source: u32) -> bool {
+    !is_reused(source) && kind(source) != UNSAMPLED
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -56,8 +65,10 @@ mod tests {
     fn both_parts_come_back() {
         let source = from_column(VERIFIED, 32_767);
         assert_eq!((kind(source), column(source), is_reused(source)), (VERIFIED, 32_767, true));
+        assert!(!is_traced(source) && !is_traced(traced(UNSAMPLED)));
         for kind in [HOLE, GAP, BAD, GUIDED, UNGUIDED] {
             assert_eq!((super::kind(traced(kind)), is_reused(traced(kind))), (kind, false));
+            assert!(is_traced(traced(kind)));
         }
     }
 }

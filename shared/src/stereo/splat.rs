@@ -16,8 +16,14 @@ pub fn splat(run: &Run<'_>, hits: &[Hit], candidates: &[AtomicU32], gaps: &[Atom
     if !run.is_empty() {
         let targets = run.targets(hits);
         let target = |x| targets.at(x - run.first);
-        run.walk(run.target_before(hits), target, gaps, raise, |pixel, x| {
-            raise(candidates.at_ref(pixel), key(x));
-        });
+        run.walk(
+            || run.target_before(hits),
+            target,
+            gaps,
+            raise,
+            |pixel, x| {
+                raise(candidates.at_ref(pixel), key(x));
+            },
+        );
     }
 }

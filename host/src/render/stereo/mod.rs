@@ -66,9 +66,10 @@ impl Plan {
             inclusive: 0,
             keep_hits: everything.into(),
             copies: options.copies_colours(data).into(),
-            samples: 0,
-            seed: 0,
-            padding: [0; 3],
+            jitter_seed: 0,
+            first_row: 0,
+            sparse: 0,
+            padding: [0; 2],
         };
         Ok(Self { options: *options, reprojection, everything })
     }
