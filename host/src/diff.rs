@@ -5,11 +5,10 @@
 
 use crate::backend::{Backend, Gpu, Profile};
 use crate::compare::{Bound, Difference, Kind, Stage, StageReport, compare};
-use crate::render::band::{Band, EYES, Second, Values};
+use crate::render::band::{Band, EYES, Pair, Values};
 use crate::render::stereo::Plan;
 use crate::render::stereo::second::Inferred;
 use crate::render::{RenderError, Renderer, SceneData, StereoOptions};
-use parallax_shared::layout::RayCounts;
 use serde::Serialize;
 use std::fmt;
 
@@ -77,7 +76,7 @@ pub fn stages<L: Backend, R: Backend>(
     for band in Band::of_picture(height, rows) {
         let (left, right) = (left.pair(&plan, band)?, right.pair(&plan, band)?);
         let source = (words_of(&left.source), words_of(&right.source));
-        let second = (words_of_second(&left.second), words_of_second(&right.second));
+        let second = (words_of_second(&left), words_of_second(&right));
         for ((reports, view), (left, right)) in reports.iter_mut().zip(eyes).zip([source, second]) {
             merge(reports, compare_words(view, profile, left, right));
         }
@@ -128,16 +127,16 @@ fn words_of(values: &Values) -> Vec<Words> {
         Words::of("material", Kind::Word, surfaces, |s| [s.material]),
         Words::of("error", Kind::Float, surfaces, |s| bits([s.error])),
         Words::of("disparity", Kind::Float, surfaces, |s| bits([s.disparity])),
-        Words {
-            stage: "shadow",
-            kind: Kind::AnyWord,
-            components: values.shadow_words,
-            words: values.shadow.clone(),
-        },
+    ];
+    if !values.shadow.is_empty() {
+        let (components, words) = (values.shadow_words, values.shadow.clone());
+        stages.push(Words { stage: "shadow", kind: Kind::AnyWord, components, words });
+    }
+    stages.extend([
         Words::of("local colour", Kind::Float, &values.local, |colour| bits(*colour)),
         rays("primary rays", &values.primary_rays[..]),
         rays("shadow rays", &values.shadow_rays[..]),
-    ];
+    ]);
     if let Some(bounced) = &values.bounced {
         stages.push(rays("bounced rays", &bounced.rays[..]));
     }
@@ -145,36 +144,14 @@ fn words_of(values: &Values) -> Vec<Words> {
     stages
 }
 
-/// Every stage of a second view.
-fn words_of_second(second: &Second) -> Vec<Words> {
-    match second {
-        Second::Traced(values) => words_of(values),
-        Second::Inferred(inferred) => words_of_inferred(inferred),
-    }
-}
-
-fn words_of_inferred(inferred: &Inferred) -> Vec<Words> {
+/// Every stage of a second view: how it was made, if it was made from the first, and what it shows.
+fn words_of_second(pair: &Pair) -> Vec<Words> {
     let word = |stage, words: &[u32]| Words::of(stage, Kind::Word, words, |word| [*word]);
-    let rays = |stage, counts: &[RayCounts]| {
-        Words::of(stage, Kind::Word, counts, |count| bytemuck::cast::<_, [u32; 4]>(*count))
-    };
-    let mut stages = vec![
-        word("candidates", &inferred.candidates),
-        word("gaps", &inferred.gaps),
-        word("source", &inferred.source),
-        Words::of("prim_id", Kind::AnyWord, &inferred.hits, |hit| [hit.prim_id]),
-        Words::of("t", Kind::FloatOrInfinity, &inferred.hits, |hit| bits([hit.t])),
-        Words::of("position", Kind::Float, &inferred.surfaces, |s| bits(s.position)),
-        Words::of("shading normal", Kind::Float, &inferred.surfaces, |s| bits(s.shading_normal)),
-        Words::of("disparity", Kind::Float, &inferred.surfaces, |s| bits([s.disparity])),
-        Words::of("local colour", Kind::Float, &inferred.local, |colour| bits(*colour)),
-        rays("primary rays", &inferred.primary_rays),
-        rays("shadow rays", &inferred.shadow_rays),
-    ];
-    if let Some(bounced) = &inferred.bounced {
-        stages.push(rays("bounced rays", &bounced.rays));
+    let mut stages = Vec::new();
+    if let Some(Inferred { candidates, gaps, source, .. }) = &pair.inferred {
+        stages.extend([word("candidates", candidates), word("gaps", gaps), word("source", source)]);
     }
-    stages.push(Words::of("colour", Kind::Float, inferred.colour(), |colour| bits(*colour)));
+    stages.extend(words_of(&pair.second));
     stages
 }
 

@@ -20,6 +20,6 @@ pub fn primary(
         let ray = camera::primary_ray(view, id.x, view.first_row + id.y);
         let pixel = id.y * view.width + id.x;
         hits.put(pixel, closest_hit(rows, &ray, info.extent));
-        counts.put(pixel, RayCounts { primary: 1, shadow: 0, reflected: 0, refracted: 0 });
+        counts.put(pixel, RayCounts { primary: 1, ..RayCounts::NONE });
     }
 }

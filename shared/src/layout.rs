@@ -88,6 +88,11 @@ pub struct RayCounts {
     pub refracted: u32,
 }
 
+impl RayCounts {
+    /// No rays.
+    pub const NONE: Self = Self { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
+}
+
 /// A triangle as shading needs it (traversal has its own copy of the vertices in the rows).
 #[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
 #[repr(C, align(16))]
@@ -291,14 +296,8 @@ pub struct Reprojection {
     pub keep_hits: u32,
     /// 1 when the colours of reused pixels are copied.
     pub copies: u32,
-    /// Seed of the places of rays within their pixels (see [`View::jitter_seed`]).
-    pub jitter_seed: u32,
-    /// First row of the band, of the picture.
-    pub first_row: u32,
     /// 1 when not every column of the source was sampled.
     pub sparse: u32,
-    /// Zero.
-    pub padding: [u32; 2],
 }
 
 /// The points of a band at which a pixel is sampled (see `sampling::lattice`).

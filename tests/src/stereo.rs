@@ -1,10 +1,11 @@
 //! Whole pictures as one band, by any method.
 
 use parallax::backend::{Backend, Cpu};
-use parallax::render::band::{Band, Pair, Second, Values};
+use parallax::render::band::{Band, Pair, Values};
 use parallax::render::stereo::Plan;
 use parallax::render::stereo::second::Inferred;
 use parallax::render::{First, Method, Renderer, SceneData, StereoOptions, Verify};
+use std::ops::Deref;
 
 /// The methods that make the second view from the first, that of the lower bound aside.
 pub const REPROJECTING: [Method; 7] = [
@@ -40,15 +41,29 @@ pub fn pair(data: &SceneData, options: &StereoOptions) -> Pair {
     pair_on(&mut Cpu::new(0).expect("a CPU"), data, options)
 }
 
+/// A second view that was made from the first, and how.
+#[derive(Clone, Debug)]
+pub struct Shown {
+    /// What it shows.
+    pub values: Values,
+    /// How it was made.
+    pub inferred: Inferred,
+}
+
+impl Deref for Shown {
+    type Target = Values;
+
+    fn deref(&self) -> &Values {
+        &self.values
+    }
+}
+
 /// The second view, which was made from the first.
 ///
 /// # Panics
 /// When it was traced.
-pub fn inferred(pair: Pair) -> Inferred {
-    match pair.second {
-        Second::Inferred(inferred) => inferred,
-        Second::Traced(_) => panic!("the second view was traced"),
-    }
+pub fn inferred(pair: Pair) -> Shown {
+    Shown { values: pair.second, inferred: pair.inferred.expect("the second view was traced") }
 }
 
 /// The second view, traced like the first.
@@ -56,8 +71,7 @@ pub fn inferred(pair: Pair) -> Inferred {
 /// # Panics
 /// When it was not.
 pub fn naive(data: &SceneData, first: First) -> Values {
-    match pair(data, &StereoOptions { first, ..StereoOptions::default() }).second {
-        Second::Traced(values) => values,
-        Second::Inferred(_) => panic!("naive infers nothing"),
-    }
+    let pair = pair(data, &StereoOptions { first, ..StereoOptions::default() });
+    assert!(pair.inferred.is_none(), "naive infers nothing");
+    pair.second
 }

@@ -2,12 +2,13 @@
 
 use parallax::backend::Cpu;
 use parallax::build::Quality;
-use parallax::render::band::{Band, Pair, Second};
+use parallax::render::band::Band;
 use parallax::render::stereo::Plan;
 use parallax::render::stereo::overlap::Overlap;
 use parallax::render::stereo::statistics::{StereoReport, StereoStatistics};
-use parallax::render::{Method, Renderer, SceneData, StereoOptions, Verify};
+use parallax::render::{First, Method, Renderer, SceneData, Verify};
 use parallax_tests::scenes;
+use parallax_tests::stereo::{pair, verified};
 
 /// A pixel of the zero-parallax plane, a world unit in front of the eyes, is 1/8 wide, and 8 of them lie between the eyes. A wall at
 /// twice that distance moves 4 columns to the right.
@@ -54,18 +55,8 @@ fn scene(objects: &[&str]) -> SceneData {
     SceneData::new(&parallax::scene::load(file.path()).unwrap(), Quality::Full).unwrap()
 }
 
-fn render(data: &SceneData, options: StereoOptions) -> (Plan, Pair) {
-    let mut cpu = Cpu::new(2).unwrap();
-    let plan = Plan::new(data, &options, true).unwrap();
-    let band = Band { first_row: 0, rows: data.views[0].height };
-    let pair = Renderer::new(&mut cpu, data).unwrap().pair(&plan, band).unwrap();
-    (plan, pair)
-}
-
 fn statistics(data: &SceneData, verify: Verify) -> StereoStatistics {
-    let options = StereoOptions { verify: Some(verify), ..Method::Atomic.into() };
-    let (plan, pair) = render(data, options);
-    StereoStatistics::of_band(&plan, &pair).unwrap()
+    StereoStatistics::of_band(&pair(data, &verified(Method::Atomic, verify, First::Left))).unwrap()
 }
 
 /// Kept (reused or verified), holes, gaps and bad pixels of a row.
@@ -126,16 +117,15 @@ fn counts_add_up_in_every_scene() {
             .into_iter()
             .flat_map(|method| [Verify::None, Verify::Edges, Verify::All].map(|verify| (method, verify)))
         {
-            let options = StereoOptions { verify: Some(verify), ..method.into() };
-            let (plan, pair) = render(&data, options);
-            let s = StereoStatistics::of_band(&plan, &pair).unwrap();
+            let options = verified(method, verify, First::Left);
+            let s = StereoStatistics::of_band(&pair(&data, &options)).unwrap();
             let what = format!("{} {method:?} {verify:?} {s:?}", scenes::name(&path));
             assert_eq!(s.pixels, 48 * 36, "{what}");
             assert_eq!(s.reused + s.verified + s.holes + s.gaps + s.bad, s.pixels, "{what}");
             assert_eq!(s.second_rays.primary, s.pixels - s.reused, "{what}");
             assert!(verify == Verify::None || s.gaps == 0, "gaps are verified: {what}");
             assert!(verify != Verify::All || s.reused == 0, "all are verified: {what}");
-            let report = StereoReport::new(&data, &plan, &s);
+            let report = StereoReport::new(&data, &Plan::new(&data, &options, true).unwrap(), &s);
             assert!(report.largest_overlap <= report.lemma_bound, "{what}");
             assert_eq!(report.rays_saved.primary, s.reused as i64, "{what}");
             assert!(report.saved_percent < 100.0, "{what}");
@@ -154,12 +144,12 @@ fn bands_add_up_and_traced_views_have_no_counts() {
     let mut renderer = Renderer::new(&mut cpu, &data).unwrap();
     let mut sum = StereoStatistics::default();
     for band in Band::of_picture(ROWS as u32, 3) {
-        sum += StereoStatistics::of_band(&plan, &renderer.pair(&plan, band).unwrap()).unwrap();
+        sum += StereoStatistics::of_band(&renderer.pair(&plan, band).unwrap()).unwrap();
     }
     assert_eq!(sum, statistics(&data, Verify::All));
     for method in [Method::Naive, Method::Ideal] {
-        let (plan, pair) = render(&data, method.into());
-        assert!(matches!(pair.second, Second::Traced(_)));
-        assert_eq!(StereoStatistics::of_band(&plan, &pair), None);
+        let pair = pair(&data, &method.into());
+        assert!(pair.inferred.is_none());
+        assert_eq!(StereoStatistics::of_band(&pair), None);
     }
 }

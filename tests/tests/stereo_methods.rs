@@ -1,13 +1,12 @@
 //! The methods that make the second view from the first, as wholes: they agree, and what they show is what there is.
 
 use parallax::metrics;
-use parallax::render::stereo::second::Inferred;
 use parallax::render::{Depth, First, Method, Reflections, SceneData, Shadows, StereoOptions, Verify};
 use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::Hit;
 use parallax_shared::stereo::source::{self, BAD, GAP, HOLE, is_reused};
 use parallax_tests::scenes::{data_at, load_at, name, root, shipped};
-use parallax_tests::stereo::{ORDERS, REPROJECTING, inferred, naive, pair, verified};
+use parallax_tests::stereo::{ORDERS, REPROJECTING, Shown, inferred, naive, pair, verified};
 
 const SIZE: [u32; 2] = [120, 80];
 
@@ -27,9 +26,8 @@ fn words<T: bytemuck::Pod>(values: &[T]) -> &[u32] {
     bytemuck::cast_slice(values)
 }
 
-fn assert_same(a: &Inferred, b: &Inferred, what: &str) {
-    assert_eq!((&a.candidates, &a.gaps), (&b.candidates, &b.gaps), "{what}");
-    assert_eq!(a.source, b.source, "{what}");
+fn assert_same(a: &Shown, b: &Shown, what: &str) {
+    assert_eq!(a.inferred, b.inferred, "{what}");
     assert!(words(&a.hits) == words(&b.hits) && words(&a.surfaces) == words(&b.surfaces), "{what}");
     assert!(words(a.colour()) == words(b.colour()), "{what}");
 }
@@ -72,7 +70,8 @@ fn guided_rays_find_what_naive_rays_find() {
             assert!(words(&shown.surfaces) == words(&truth.surfaces), "{what}");
             assert!(words(shown.colour()) == words(truth.colour()), "{what}");
             assert_eq!(shown.shadow_rays, truth.shadow_rays, "{what}");
-            guided += shown.source.iter().filter(|&&word| source::kind(word) == source::GUIDED).count();
+            guided +=
+                shown.inferred.source.iter().filter(|&&word| source::kind(word) == source::GUIDED).count();
         }
     }
     assert!(guided > 10_000, "only {guided} rays had anything to begin with");
@@ -107,7 +106,7 @@ fn traced_pixels_are_those_of_the_naive_method() {
             let truth = naive(&data, first);
             for verify in [Verify::None, Verify::All] {
                 let shown = inferred(pair(&data, &verified(Method::Atomic, verify, first)));
-                for (i, &word) in shown.source.iter().enumerate() {
+                for (i, &word) in shown.inferred.source.iter().enumerate() {
                     kinds[source::kind(word) as usize] += 1;
                     if !is_reused(word) {
                         assert_eq!(words(&shown.hits[i..=i]), words(&truth.hits[i..=i]), "{name}, pixel {i}");
@@ -136,7 +135,10 @@ fn without_a_distance_between_the_eyes_both_views_are_one() {
         {
             let options = StereoOptions { shadows, ..verified(method, Verify::All, First::Left) };
             let shown = inferred(pair(&data, &options));
-            assert!(shown.source.iter().all(|&word| is_reused(word)), "{name}: something was traced");
+            assert!(
+                shown.inferred.source.iter().all(|&word| is_reused(word)),
+                "{name}: something was traced"
+            );
             assert!(words(shown.colour()) == words(truth.colour()), "{name}, {}", method.name());
         }
     }
@@ -147,10 +149,10 @@ fn a_distance_wider_than_the_picture_leaves_little_to_reuse() {
     let data = apart("spheres", 5.0 * SIZE[0] as f32);
     for verify in [Verify::None, Verify::All] {
         let shown = inferred(pair(&data, &verified(Method::Atomic, verify, First::Left)));
-        let traced = shown.source.iter().filter(|&&word| !is_reused(word)).count();
-        assert!(2 * traced > shown.source.len(), "{traced}");
+        let traced = shown.inferred.source.iter().filter(|&&word| !is_reused(word)).count();
+        assert!(2 * traced > shown.inferred.source.len(), "{traced}");
         let truth = naive(&data, First::Left);
-        let limit = if verify == Verify::All { 0 } else { shown.source.len() / 50 };
+        let limit = if verify == Verify::All { 0 } else { shown.inferred.source.len() / 50 };
         assert!(bad_pixels(&data, &shown.hits, &truth.hits) <= limit);
     }
 }
@@ -164,7 +166,7 @@ fn highlights_are_those_of_the_second_eye() {
     let first = made.source.local.clone();
     let shown = inferred(made);
     let (mut own, mut copied) = (0.0, 0.0);
-    for (i, &word) in shown.source.iter().enumerate().filter(|(_, word)| is_reused(**word)) {
+    for (i, &word) in shown.inferred.source.iter().enumerate().filter(|(_, word)| is_reused(**word)) {
         let row = i - i % SIZE[0] as usize;
         // Where the rounding to pixels chose the very same primitive at nearly the same place.
         if shown.hits[i].prim_id == truth.hits[i].prim_id {
@@ -189,8 +191,7 @@ fn tracing_the_shadows_of_a_reused_point_gives_what_reusing_gives() {
         };
         let traced = inferred(pair(&data, &options));
         assert_same(&reused, &traced, name);
-        let rays =
-            |shown: &Inferred| shown.shadow_rays.iter().map(|rays| u64::from(rays.shadow)).sum::<u64>();
+        let rays = |shown: &Shown| shown.shadow_rays.iter().map(|rays| u64::from(rays.shadow)).sum::<u64>();
         assert!(rays(&traced) > 3 * rays(&reused), "{name}");
     }
 }
@@ -220,9 +221,7 @@ fn the_lower_bound_copies() {
     let data = scene("whitted");
     let pair = pair(&data, &Method::Ideal.into());
     assert!(words(pair.second.colour()) == words(pair.source.colour()));
-    assert!(
-        pair.second.rays().iter().all(|stage| stage.iter().all(|r| r.primary + r.shadow + r.reflected == 0))
-    );
+    assert!(pair.second.rays().all(|stage| stage.iter().all(|r| r.primary + r.shadow + r.reflected == 0)));
 }
 
 #[test]
@@ -230,7 +229,8 @@ fn kinds_of_traced_pixels_need_their_verification() {
     let data = scene("default");
     let kinds = |verify| {
         let shown = inferred(pair(&data, &verified(Method::Atomic, verify, First::Left)));
-        [HOLE, GAP, BAD].map(|kind| shown.source.iter().filter(|&&word| source::kind(word) == kind).count())
+        [HOLE, GAP, BAD]
+            .map(|kind| shown.inferred.source.iter().filter(|&&word| source::kind(word) == kind).count())
     };
     let [holes, gaps, bad] = kinds(Verify::None);
     assert!(holes > 0 && gaps > 0, "{holes} holes, {gaps} gaps");

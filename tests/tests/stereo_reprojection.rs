@@ -68,17 +68,17 @@ fn just_below_a_half_is_below_it() {
 fn what_has_no_disparity_is_outside() {
     let p = |e| reprojection(100, 1, e);
     for x in [0, 50, 99] {
-        assert_eq!(target(&p(15.0), 0.0, x, 0), -1);
-        assert_eq!(target(&p(0.0), 0.0, x, 0), -1, "0 · ∞");
-        assert_eq!(target(&p(15.0), f32::from_bits(1), x, 0), -1);
-        assert_eq!(target(&p(1e4), f32::INFINITY, x, 0), 100);
-        assert_eq!(target(&p(0.0), f32::INFINITY, x, 0), x as i32);
-        assert_eq!(target(&p(15.0), 1.0, x, 0), x as i32);
+        assert_eq!(target(&p(15.0), 0.0, x), -1);
+        assert_eq!(target(&p(0.0), 0.0, x), -1, "0 · ∞");
+        assert_eq!(target(&p(15.0), f32::from_bits(1), x), -1);
+        assert_eq!(target(&p(1e4), f32::INFINITY, x), 100);
+        assert_eq!(target(&p(0.0), f32::INFINITY, x), x as i32);
+        assert_eq!(target(&p(15.0), 1.0, x), x as i32);
     }
-    assert_eq!(target(&p(15.0), f32::INFINITY, 84, 0), 99);
-    assert_eq!(target(&p(15.0), f32::INFINITY, 85, 0), 100);
-    assert_eq!(target(&p(15.0), 0.5, 15, 0), 0);
-    assert_eq!(target(&p(15.0), 0.5, 14, 0), -1);
+    assert_eq!(target(&p(15.0), f32::INFINITY, 84), 99);
+    assert_eq!(target(&p(15.0), f32::INFINITY, 85), 100);
+    assert_eq!(target(&p(15.0), 0.5, 15), 0);
+    assert_eq!(target(&p(15.0), 0.5, 14), -1);
 }
 
 /// The largest `t` of a surface that hides one at `t` and lies a pixel farther left.

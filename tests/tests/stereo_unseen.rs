@@ -1,9 +1,9 @@
 //! What only the second eye sees: beside the source's picture, in front of the zero-parallax plane (001 fig. 14; 003 §5.5.1).
 
-use parallax::render::stereo::second::Inferred;
 use parallax::render::{First, Method, SceneData, StereoOptions, Verify};
 use parallax::rig::StereoRig;
 use parallax::scene::{Scene, Sky, Sphere};
+use parallax_shared::stereo::source;
 use parallax_tests::stage::white;
 use parallax_tests::stereo::{ORDERS, REPROJECTING, inferred, naive, pair, verified};
 
@@ -60,12 +60,12 @@ fn a_ball_that_only_the_second_eye_sees_is_found_by_all_methods() {
         assert!(there > 0, "the second eye must");
         for method in REPROJECTING {
             for verify in [Verify::None, Verify::Edges, Verify::All] {
-                let shown: Inferred = inferred(pair(&data, &verified(method, verify, first)));
+                let shown = inferred(pair(&data, &verified(method, verify, first)));
                 assert_eq!(pixels_of_ball(&shown.hits), there, "{first:?}, {}, {verify:?}", method.name());
             }
         }
         let copied = StereoOptions { first, ..Method::Ideal.into() };
-        assert_eq!(pixels_of_ball(pair(&data, &copied).second.hits()), 0, "a copy loses it");
+        assert_eq!(pixels_of_ball(&pair(&data, &copied).second.hits), 0, "a copy loses it");
     }
 }
 
@@ -76,11 +76,7 @@ fn without_anything_beside_nothing_is_verified_for_it() {
         let options = verified(Method::Atomic, Verify::None, first);
         let verified_pixels = |data: &SceneData| {
             let shown = inferred(pair(data, &options));
-            shown
-                .source
-                .iter()
-                .filter(|&&word| word >> 16 == parallax_shared::stereo::source::VERIFIED)
-                .count()
+            shown.inferred.source.iter().filter(|&&word| source::kind(word) == source::VERIFIED).count()
         };
         assert_eq!(verified_pixels(&with_ball(first, 0.0)), 0);
         assert!(verified_pixels(&with_ball(first, 0.98)) > 0);

@@ -2,9 +2,11 @@
 
 use super::failure::{Blame, Failure};
 use super::locate;
-use anyhow::Context;
+use anyhow::{Context, anyhow};
 use parallax::backend::{Choice, Profile, Selection};
-use parallax::render::{Depth, First, Method, Overrides, Reflections, Shadows, StereoOptions, Verify};
+use parallax::render::{
+    Depth, First, Method, Overrides, Reflections, Samples, Shadows, StereoOptions, Verify,
+};
 use parallax::rig::DISPLAY_WIDTH;
 use parallax::scene::{self, Scene};
 use std::path::PathBuf;
@@ -102,13 +104,26 @@ pub struct MethodOptions {
     /// traced view where the rays of both eyes are no farther apart).
     #[arg(long, value_name = "ANGLE", default_value = "trace")]
     reflections: Reflections,
+    /// Rays per pixel: `1`; `nine` (with those on the edges, of which the middle one is reprojected for all); `2x2` to
+    /// `8x8` (jittered, each reprojected by itself); `adaptive-1` to `adaptive-4` (the corners, and up to 17x17 where
+    /// they differ).
+    #[arg(long, value_name = "SAMPLES", default_value = "1")]
+    samples: Samples,
+    /// By how much colours (linear, 0 to 1) differ that ask for more rays of adaptive sampling [default: 0.0625]
+    #[arg(long, value_name = "DIFFERENCE")]
+    tolerance: Option<f32>,
 }
 
 impl MethodOptions {
     /// The same as the library wants it, if it goes together.
     pub fn stereo(&self) -> Result<StereoOptions, Failure> {
-        let Self { method, verify, shadows, first, depth, reflections } = *self;
-        let options = StereoOptions { method, verify, shadows, first, depth, reflections };
+        let Self { method, verify, shadows, first, depth, reflections, samples, tolerance } = *self;
+        let samples = match (samples, tolerance) {
+            (samples, None) => samples,
+            (Samples::Adaptive { levels, .. }, Some(tolerance)) => Samples::Adaptive { levels, tolerance },
+            _ => return Err(anyhow!("--tolerance is for adaptive --samples")).usage(),
+        };
+        let options = StereoOptions { method, verify, shadows, first, depth, reflections, samples };
         options.check().usage()?;
         Ok(options)
     }

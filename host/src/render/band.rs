@@ -6,7 +6,6 @@ use super::renderer::Stages;
 use super::stereo::bounces;
 use super::stereo::second::Inferred;
 use crate::backend::{Backend, BackendError};
-use bytemuck::Zeroable;
 use kernel_api::Buffer;
 use parallax_kernels::{bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface};
 use parallax_shared::layout::{self, Hit, RayCounts, View};
@@ -42,7 +41,7 @@ pub struct Values {
     /// What shading knows of those points.
     pub surfaces: Vec<layout::Surface>,
     /// Bit by bit, which lights are seen; [`shadow_words`](Self::shadow_words) words per pixel, which follow
-    /// each other.
+    /// each other. Empty where nobody noted them.
     pub shadow: Vec<u32>,
     /// Words of [`shadow`](Self::shadow) per pixel.
     pub shadow_words: usize,
@@ -80,9 +79,9 @@ impl Values {
     /// The same as a copy, for which no ray was traced.
     pub(super) fn without_rays(&self) -> Self {
         let mut copy = self.clone();
-        copy.primary_rays.fill(Zeroable::zeroed());
-        copy.shadow_rays.fill(Zeroable::zeroed());
-        copy.bounced.iter_mut().for_each(|bounced| bounced.rays.fill(Zeroable::zeroed()));
+        copy.primary_rays.fill(RayCounts::NONE);
+        copy.shadow_rays.fill(RayCounts::NONE);
+        copy.bounced.iter_mut().for_each(|bounced| bounced.rays.fill(RayCounts::NONE));
         copy
     }
 }
@@ -93,51 +92,9 @@ pub struct Pair {
     /// The view that was traced first.
     pub source: Values,
     /// The other one.
-    pub second: Second,
-}
-
-/// The second view of a pair.
-#[derive(Clone, Debug, PartialEq)]
-#[allow(clippy::large_enum_variant)] // One per band.
-pub enum Second {
-    /// Traced like the first.
-    Traced(Values),
-    /// Made from the first.
-    Inferred(Inferred),
-}
-
-impl Second {
-    /// The linear colour that is seen.
-    pub fn colour(&self) -> &[[f32; 4]] {
-        match self {
-            Self::Traced(values) => values.colour(),
-            Self::Inferred(inferred) => inferred.colour(),
-        }
-    }
-
-    /// What each pixel shows.
-    pub fn hits(&self) -> &[Hit] {
-        match self {
-            Self::Traced(values) => &values.hits,
-            Self::Inferred(inferred) => &inferred.hits,
-        }
-    }
-
-    /// The rays that were traced, stage by stage.
-    pub fn rays(&self) -> Vec<&[RayCounts]> {
-        match self {
-            Self::Traced(values) => values.rays().collect(),
-            Self::Inferred(inferred) => inferred.rays().collect(),
-        }
-    }
-
-    /// What shading knows of it.
-    pub fn surfaces(&self) -> &[layout::Surface] {
-        match self {
-            Self::Traced(values) => &values.surfaces,
-            Self::Inferred(inferred) => &inferred.surfaces,
-        }
-    }
+    pub second: Values,
+    /// How the other one was made from the first, where it was.
+    pub inferred: Option<Inferred>,
 }
 
 /// The outputs of the pass `bounce`.

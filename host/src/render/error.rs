@@ -33,6 +33,25 @@ pub enum RenderError {
         /// What is wrong with it.
         what: &'static str,
     },
+    /// Rays per pixel that are not supported.
+    #[error("{samples} samples per pixel are not supported")]
+    Samples {
+        /// What was asked for.
+        samples: String,
+    },
+    /// More points than can be numbered.
+    #[error(
+        "a picture of {width} × {height} pixels with {per_pixel} × {per_pixel} points each is not supported: \
+         each side has fewer than {MAX_SIDE} points"
+    )]
+    Points {
+        /// Columns.
+        width: u32,
+        /// Rows.
+        height: u32,
+        /// Points from a pixel to the next one.
+        per_pixel: u32,
+    },
     /// Coordinates too large, or too far apart, for 32 bit floats.
     #[error("{what} is {distance:e} world units away, too far for a scene of size {extent:e}")]
     TooFar {

@@ -1,6 +1,6 @@
 //! A whole frame.
 
-use super::band::Band;
+use super::band::{Band, Values};
 use super::stereo::Plan;
 use super::stereo::statistics::{StereoReport, StereoStatistics};
 use super::{
@@ -8,7 +8,7 @@ use super::{
 };
 use crate::backend::Backend;
 use parallax_shared::camera;
-use parallax_shared::layout::{Hit, NONE, Surface, View};
+use parallax_shared::layout::{NONE, View};
 
 /// The images of a scene, and what they took.
 #[derive(Clone, Debug)]
@@ -45,15 +45,13 @@ pub fn render<B: Backend>(
     let [first, other] = options.first.eyes();
     for band in bands {
         let pair = renderer.pair(&plan, band)?;
-        if let Some(band) = StereoStatistics::of_band(&plan, &pair) {
+        if let Some(band) = StereoStatistics::of_band(&pair) {
             *statistics.get_or_insert_default() += band;
         }
         let (source, second) = (&pair.source, &pair.second);
         source.rays().chain(second.rays()).for_each(|stage| rays += stage);
-        let of_source = Pixels { colour: source.colour(), hits: &source.hits, surfaces: &source.surfaces };
-        let of_second = Pixels { colour: second.colour(), hits: second.hits(), surfaces: second.surfaces() };
-        append(&mut images.views[first], of_source, &data.views[first], band, data.scale);
-        append(&mut images.views[other], of_second, &data.views[other], band, data.scale);
+        append(&mut images.views[first], source, &data.views[first], band, data.scale);
+        append(&mut images.views[other], second, &data.views[other], band, data.scale);
         progress(u64::from(band.first_row + band.rows), total);
     }
     debug_assert_eq!(images.views[0].t.len(), width as usize * height as usize);
@@ -71,21 +69,14 @@ fn allocate(data: &SceneData) -> Result<StereoImages, RenderError> {
     Ok(images)
 }
 
-/// What images need of a band.
-struct Pixels<'a> {
-    colour: &'a [[f32; 4]],
-    hits: &'a [Hit],
-    surfaces: &'a [Surface],
-}
-
 /// Puts the values of a band, the next one, behind those that the images have. Distances become world units.
-fn append(image: &mut ViewImages, values: Pixels<'_>, view: &View, band: Band, scale: f32) {
-    image.colour.extend(values.colour.iter().map(|[red, green, blue, _]| [*red, *green, *blue]));
+fn append(image: &mut ViewImages, values: &Values, view: &View, band: Band, scale: f32) {
+    image.colour.extend(values.colour().iter().map(|[red, green, blue, _]| [*red, *green, *blue]));
     image.prim_id.extend(values.hits.iter().map(|hit| hit.prim_id));
     image.normal.extend(values.surfaces.iter().map(|surface| surface.shading_normal));
     image.disparity.extend(values.surfaces.iter().map(|surface| surface.disparity));
     let columns = view.width;
-    for (index, hit) in (0_u32..).zip(values.hits) {
+    for (index, hit) in (0_u32..).zip(&values.hits) {
         let (x, y) = (index % columns, band.first_row + index / columns);
         image.t.push(if hit.prim_id == NONE { f32::INFINITY } else { distance(view, x, y, hit.t, scale) });
     }

@@ -1,5 +1,6 @@
 //! How the second view of a pair is made.
 
+use super::sampling::Samples;
 use super::{RenderError, SceneData};
 use clap::ValueEnum;
 use parallax_shared::effects::Effects;
@@ -142,6 +143,8 @@ pub struct StereoOptions {
     pub depth: Depth,
     /// Where reflections come from.
     pub reflections: Reflections,
+    /// Rays per pixel.
+    pub samples: Samples,
 }
 
 impl From<Method> for StereoOptions {
@@ -165,6 +168,11 @@ impl Method {
             Self::Atomic => "atomic",
             Self::Guided => "guided",
         }
+    }
+
+    /// Whether the second view has points of the first one.
+    pub const fn reuses(self) -> bool {
+        !matches!(self, Self::Naive | Self::Ideal | Self::Guided)
     }
 
     /// What the papers verify with it: Al-Hagri everything, the others nothing.
@@ -195,15 +203,23 @@ impl StereoOptions {
     pub fn check(&self) -> Result<(), RenderError> {
         let wrong = |what| Err(RenderError::Options { method: self.method.name(), what });
         match self.method {
-            Method::Naive | Method::Ideal | Method::Guided if self.verify.is_some() => {
+            method if !method.reuses() && self.verify.is_some() => {
                 wrong("has no candidates that could be verified")
             }
             Method::Ideal if self.shadows == Shadows::Trace => wrong("traces nothing in the second view"),
-            Method::Naive | Method::Ideal | Method::Guided if self.reflections != Reflections::Trace => {
+            method if !method.reuses() && self.reflections != Reflections::Trace => {
                 wrong("reuses no reflections")
             }
             method if method != Method::Buffer && self.depth != Depth::default() => wrong("has no slots"),
-            _ => Ok(()),
+            _ if self.samples == Samples::One => Ok(()),
+            Method::Guided => wrong("has one ray per pixel"),
+            _ if self.shadows != Shadows::Reuse => {
+                wrong("reuses the shadows of points where a pixel has several")
+            }
+            _ if self.reflections != Reflections::Trace => {
+                wrong("traces the reflections of points where a pixel has several")
+            }
+            _ => self.samples.check(),
         }
     }
 }
@@ -247,5 +263,10 @@ mod tests {
         let told = refused(StereoOptions { depth: Depth::Adaptive, ..Method::Atomic.into() });
         assert_eq!(told, "the method `atomic` has no slots");
         assert!(StereoOptions { depth: Depth::Adaptive, ..Method::Buffer.into() }.check().is_ok());
+        let nine = |method: Method| StereoOptions { samples: Samples::Nine, ..method.into() };
+        assert!(nine(Method::Naive).check().is_ok() && nine(Method::Atomic).check().is_ok());
+        assert_eq!(refused(nine(Method::Guided)), "the method `guided` has one ray per pixel");
+        let traced = StereoOptions { shadows: Shadows::Trace, ..nine(Method::Atomic) };
+        assert!(refused(traced).contains("reuses the shadows"));
     }
 }

@@ -29,6 +29,7 @@ mod method;
 mod overrides;
 mod rays;
 mod renderer;
+pub mod sampling;
 pub mod scale;
 mod scene_data;
 pub mod stereo;
@@ -42,5 +43,6 @@ pub use method::{Depth, First, Method, Reflections, Shadows, StereoOptions, Veri
 pub use overrides::{MAX_LIGHTS, MAX_PIXELS, Overrides};
 pub use rays::RayTotals;
 pub use renderer::Renderer;
+pub use sampling::Samples;
 pub use scene_data::SceneData;
 pub use times::StageTime;

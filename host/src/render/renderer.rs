@@ -1,13 +1,16 @@
 //! Runs the passes of a scene on a backend, band by band.
 
-use super::band::{Band, BandBuffers, EYES, Pair, Second, Values};
+use super::band::{Band, BandBuffers, EYES, Pair, Values};
+use super::sampling::buffers::SampledBuffers;
+use super::sampling::pair::SampledPair;
 use super::stereo::second::SecondBuffers;
-use super::stereo::{self, Plan};
+use super::stereo::{Plan, SecondView};
 use super::times::Times;
 use super::{Method, RenderError, SceneBuffers, SceneData, StageTime};
 use crate::backend::{Backend, BackendError};
 use kernel_api::Pass;
-use parallax_shared::layout::View;
+use parallax_shared::layout::{Sample, View};
+use parallax_shared::shading::shadow;
 
 /// A scene on a backend, ready to be rendered. Dropping it gives the backend's memory back.
 pub struct Renderer<'a, B: Backend> {
@@ -29,10 +32,24 @@ impl<'a, B: Backend> Renderer<'a, B> {
     }
 
     /// How many rows a band should have at most, so that no watchdog fires and every buffer can be bound.
+    ///
+    /// Where a pixel has several rays, rows at the edge of a band do not see which points their neighbours sample: bands are then the same
+    /// on every backend, as long as their buffers can be bound.
     pub fn suggested_rows(&self, plan: &Plan) -> u32 {
+        const SAMPLED: u32 = 16;
         let View { width, height, .. } = self.data.views[0];
-        let bytes = BandBuffers::bytes_per_pixel(self.data).max(4 * plan.words_per_pixel());
-        self.backend.suggested_rows(width, height, bytes)
+        let of_tables = 4 * plan.of_picture().depth;
+        match plan.grid {
+            None => {
+                let bytes = BandBuffers::bytes_per_pixel(self.data).max(of_tables);
+                self.backend.suggested_rows(width, height, bytes)
+            }
+            Some(grid) => {
+                let (n, words) = (grid.per_pixel, shadow::words(self.data.info.lights));
+                let bytes = of_tables.max(4 * words).max(size_of::<Sample>() as u32);
+                (self.backend.suggested_rows(n * width + 1, n * height, bytes) / n).clamp(1, SAMPLED)
+            }
+        }
     }
 
     /// The view of `eye` over a band.
@@ -68,51 +85,81 @@ impl<'a, B: Backend> Renderer<'a, B> {
     /// When the backend fails; then the values of this band are lost.
     pub fn pair(&mut self, plan: &Plan, band: Band) -> Result<Pair, RenderError> {
         let [first, other] = plan.options.first.eyes();
-        if plan.options.method == Method::Naive {
+        if plan.options.method == Method::Naive && plan.grid.is_none() {
             let (source, second) = (self.band(first, band)?, self.band(other, band)?);
-            return Ok(Pair { source, second: Second::Traced(second) });
+            return Ok(Pair { source, second, inferred: None });
         }
-        let buffers = PairBuffers::create(self.backend, plan, self.data, &self.view(first, band))?;
-        let pair = self.run_both(plan, band, &buffers).and_then(|()| self.read_pair(plan, &buffers));
+        let buffers = Outputs::create(self.backend, plan, self.data, &self.view(first, band))?;
+        let pair = self.run_both(plan, band, &buffers).and_then(|()| self.read_pair(plan, band, &buffers));
         buffers.release(self.backend);
         Ok(pair?)
     }
 
     /// Runs the passes of both views.
-    fn run_both(&mut self, plan: &Plan, band: Band, buffers: &PairBuffers) -> Result<(), BackendError> {
+    fn run_both(&mut self, plan: &Plan, band: Band, buffers: &Outputs) -> Result<(), BackendError> {
         let [first, other] = plan.options.first.eyes();
-        let views = [self.view(first, band), self.view(other, band)];
-        self.run_band(first, views[0], &buffers.source)?;
+        let view = self.view(other, band);
         let (data, scene) = (self.data, self.scene);
-        let stages = &mut Stages { renderer: self, eye: other };
-        match &buffers.second {
-            SecondView::Traced(second) => second.run(data, &scene, views[1], stages),
-            SecondView::Inferred(second) => {
-                let (scene, source) = (&scene, &buffers.source);
-                stereo::SecondView { plan, data, scene, source, second, view: views[1] }.run(stages)
+        match buffers {
+            Outputs::Sampled(buffers) => {
+                let pair = self.sampled(plan, band, buffers, &scene);
+                pair.run_source(&mut Stages { renderer: self, eye: first })?;
+                pair.run_second(&mut Stages { renderer: self, eye: other })
+            }
+            Outputs::Traced { source, second } => {
+                self.run_band(first, self.view(first, band), source)?;
+                second.run(data, &scene, view, &mut Stages { renderer: self, eye: other })
+            }
+            Outputs::Inferred { source, second } => {
+                self.run_band(first, self.view(first, band), source)?;
+                let scene = &scene;
+                let pair = SecondView { plan, data, scene, source, second, view };
+                pair.run(&mut Stages { renderer: self, eye: other })
             }
         }
     }
 
-    fn read_pair(&mut self, plan: &Plan, buffers: &PairBuffers) -> Result<Pair, BackendError> {
-        let [first, other] = plan.options.first.eyes();
-        let source = self.read_band(first, &buffers.source)?;
-        let second = match &buffers.second {
-            SecondView::Traced(second) => Second::Traced(self.read_band(other, second)?),
-            SecondView::Inferred(_) if plan.options.method == Method::Ideal => {
-                Second::Traced(source.without_rays())
-            }
-            SecondView::Inferred(second) => {
-                let Self { backend, times, .. } = self;
-                let inferred = times.measure(Some(EYES[other]), "read back", || second.read(*backend));
-                Second::Inferred(inferred?)
-            }
-        };
-        Ok(Pair { source, second })
+    fn sampled<'p>(
+        &self,
+        plan: &'p Plan,
+        band: Band,
+        buffers: &'p SampledBuffers,
+        scene: &'p SceneBuffers,
+    ) -> SampledPair<'p>
+    where
+        'a: 'p,
+    {
+        let views = plan.options.first.eyes().map(|eye| self.view(eye, band));
+        SampledPair { plan, data: self.data, scene, views, buffers }
     }
 
-    /// Renders the source, or both views, `times` over without reading anything back, and tells each time how many seconds the
-    /// source and the second view took: for benchmarks. Buffers are made once, as an animation would.
+    fn read_pair(&mut self, plan: &Plan, band: Band, buffers: &Outputs) -> Result<Pair, BackendError> {
+        let [first, other] = plan.options.first.eyes();
+        let scene = self.scene;
+        let (source, second) = match buffers {
+            Outputs::Sampled(buffers) => {
+                let pair = self.sampled(plan, band, buffers, &scene);
+                let Self { backend, times, .. } = self;
+                return times.measure(None, "read back", || pair.read(*backend));
+            }
+            Outputs::Traced { source, second } => {
+                let (source, second) = (self.read_band(first, source)?, self.read_band(other, second)?);
+                return Ok(Pair { source, second, inferred: None });
+            }
+            Outputs::Inferred { source, second } => (self.read_band(first, source)?, second),
+        };
+        if plan.options.method == Method::Ideal {
+            let second = source.without_rays();
+            return Ok(Pair { source, second, inferred: None });
+        }
+        let Self { backend, times, .. } = self;
+        let read = || second.read(*backend, plan, &source);
+        let (second, inferred) = times.measure(Some(EYES[other]), "read back", read)?;
+        Ok(Pair { source, second, inferred: Some(inferred) })
+    }
+
+    /// Renders both views without reading anything back, and tells how long each stage took: for benchmarks. Buffers are made once, as an
+    /// animation would.
     ///
     /// # Errors
     /// When the backend fails.
@@ -121,11 +168,12 @@ impl<'a, B: Backend> Renderer<'a, B> {
         plan: &Plan,
         buffers: &PairBuffers,
         band: Band,
-    ) -> Result<[f64; 2], RenderError> {
-        let [first, other] = plan.options.first.eyes();
-        let before = [self.times.of(EYES[first]), self.times.of(EYES[other])];
-        self.run_both(plan, band, buffers)?;
-        Ok([self.times.of(EYES[first]) - before[0], self.times.of(EYES[other]) - before[1]])
+    ) -> Result<Vec<StageTime>, RenderError> {
+        let before = std::mem::take(&mut self.times);
+        let run = self.run_both(plan, band, &buffers.0);
+        let times = std::mem::replace(&mut self.times, before);
+        run?;
+        Ok(times.into_vec())
     }
 
     /// Buffers for [`time_pair`](Self::time_pair), to be given back by [`release`](Self::release).
@@ -134,17 +182,12 @@ impl<'a, B: Backend> Renderer<'a, B> {
     /// When there is not enough memory.
     pub fn pair_buffers(&mut self, plan: &Plan, band: Band) -> Result<PairBuffers, RenderError> {
         let view = self.view(plan.options.first.eyes()[0], band);
-        Ok(PairBuffers::create(self.backend, plan, self.data, &view)?)
+        Ok(PairBuffers(Outputs::create(self.backend, plan, self.data, &view)?))
     }
 
     /// Gives buffers back.
     pub fn release(&mut self, buffers: PairBuffers) {
-        buffers.release(self.backend);
-    }
-
-    /// The times of the stages so far.
-    pub fn times(&self) -> &[StageTime] {
-        self.times.all()
+        buffers.0.release(self.backend);
     }
 
     /// The time that each stage has taken so far.
@@ -160,37 +203,45 @@ impl<B: Backend> Drop for Renderer<'_, B> {
 }
 
 /// The outputs of all passes over both views of a band.
-pub struct PairBuffers {
-    source: BandBuffers,
-    second: SecondView,
+pub struct PairBuffers(Outputs);
+
+enum Outputs {
+    /// Both views are traced, with one ray per pixel.
+    Traced { source: BandBuffers, second: BandBuffers },
+    /// The second view is made from the first.
+    Inferred { source: BandBuffers, second: SecondBuffers },
+    /// Pixels have several rays.
+    Sampled(SampledBuffers),
 }
 
-enum SecondView {
-    Traced(BandBuffers),
-    Inferred(SecondBuffers),
-}
-
-impl PairBuffers {
+impl Outputs {
     fn create<B: Backend>(
         backend: &mut B,
         plan: &Plan,
         data: &SceneData,
         view: &View,
     ) -> Result<Self, BackendError> {
-        Ok(Self {
-            source: BandBuffers::create(backend, data, view)?,
-            second: match plan.options.method {
-                Method::Naive => SecondView::Traced(BandBuffers::create(backend, data, view)?),
-                _ => SecondView::Inferred(SecondBuffers::create(backend, plan, data, view)?),
-            },
+        if let Some(grid) = plan.grid {
+            return Ok(Self::Sampled(SampledBuffers::create(backend, plan, data, view, grid)?));
+        }
+        let source = BandBuffers::create(backend, data, view)?;
+        Ok(match plan.options.method {
+            Method::Naive => Self::Traced { source, second: BandBuffers::create(backend, data, view)? },
+            _ => Self::Inferred { source, second: SecondBuffers::create(backend, plan, data, view)? },
         })
     }
 
     fn release<B: Backend>(self, backend: &mut B) {
-        self.source.release(backend);
-        match self.second {
-            SecondView::Traced(second) => second.release(backend),
-            SecondView::Inferred(second) => second.release(backend),
+        match self {
+            Self::Traced { source, second } => {
+                source.release(backend);
+                second.release(backend);
+            }
+            Self::Inferred { source, second } => {
+                source.release(backend);
+                second.release(backend);
+            }
+            Self::Sampled(buffers) => buffers.release(backend),
         }
     }
 }

@@ -40,16 +40,6 @@ impl Times {
     }
 
     /// All of them.
-    pub fn all(&self) -> &[StageTime] {
-        &self.0
-    }
-
-    /// Seconds of all stages of a view.
-    pub fn of(&self, view: &str) -> f64 {
-        self.0.iter().filter(|time| time.view == Some(view)).map(|time| time.seconds).sum()
-    }
-
-    /// All of them.
     pub fn into_vec(self) -> Vec<StageTime> {
         self.0
     }

@@ -1,4 +1,4 @@
-@group(0) @binding(0) var<uniform> r0: array<vec4<u32>, 4>;
+@group(0) @binding(0) var<uniform> r0: array<vec4<u32>, 3>;
 @group(0) @binding(1) var<uniform> r1: array<vec4<u32>, 6>;
 @group(0) @binding(2) var<storage, read> r2: array<u32>;
 @group(0) @binding(3) var<storage, read_write> r3: array<u32>;

@@ -1,79 +1,101 @@
-@group(0) @binding(0) var<uniform> r3: array<vec4<u32>, 4>;
+@group(0) @binding(0) var<uniform> r2: array<vec4<u32>, 3>;
 struct Push { w0: u32 }
-var<immediate> r4: Push;
-@group(0) @binding(1) var<storage, read> r5: array<u32>;
-@group(0) @binding(2) var<storage, read_write> r6: array<atomic<u32>>;
-@group(0) @binding(3) var<storage, read_write> r7: array<atomic<u32>>;
+var<immediate> r3: Push;
+@group(0) @binding(1) var<storage, read> r4: array<u32>;
+@group(0) @binding(2) var<storage, read_write> r5: array<atomic<u32>>;
+@group(0) @binding(3) var<storage, read_write> r6: array<atomic<u32>>;
 var<private> bits_7f800000: u32 = 2139095040u;
 @compute @workgroup_size(8, 1, 1)
 fn scanline(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 8>;
   var r1: array<u32, 8>;
-  var r2: array<u32, 8>;
-  var p36: u32;
-  var p37: u32;
-  var p44: u32;
-  var p45: u32;
-  var p46: u32;
-  var p47: u32;
-  var p90: u32;
-  var p54: bool;
-  var p463: u32;
-  var p128: f32;
-  var p129: bool;
-  var p182: f32;
-  var p181: f32;
-  var p207: u32;
-  var p315: u32;
-  var p316: bool;
-  var p317: bool;
-  var p492: bool;
-  var p215: bool;
-  var p204: u32;
-  var p206: bool;
-  var p223: bool;
-  var p225: bool;
-  var p235: u32;
-  var p236: u32;
-  var p269: u32;
-  var p273: u32;
-  var p268: u32;
-  var p233: u32;
-  var p243: u32;
-  var p244: u32;
-  var p309: u32;
-  var p310: u32;
-  var p311: bool;
-  let v356 = global_invocation_id[0u];
-  let v362 = r4.w0;
-  let v20 = (v362 != 0u);
-  if v20 {
-    let v21 = (v362 * v356);
-    p36 = v21;
-    p37 = v362;
+  var p40: u32;
+  var p41: u32;
+  var p48: u32;
+  var p49: u32;
+  var p50: u32;
+  var p51: u32;
+  var p66: bool;
+  var p112: u32;
+  var p55: f32;
+  var p56: f32;
+  var p57: f32;
+  var p58: f32;
+  var p59: f32;
+  var p60: f32;
+  var p61: f32;
+  var p64: bool;
+  var p566: u32;
+  var p567: u32;
+  var p134: f32;
+  var p135: f32;
+  var p136: f32;
+  var p137: f32;
+  var p138: f32;
+  var p139: f32;
+  var p140: f32;
+  var p141: bool;
+  var p144: f32;
+  var p145: bool;
+  var p167: u32;
+  var p191: u32;
+  var p215: u32;
+  var p239: u32;
+  var p263: u32;
+  var p287: u32;
+  var p311: u32;
+  var p335: u32;
+  var p340: u32;
+  var p448: u32;
+  var p449: bool;
+  var p450: bool;
+  var p640: bool;
+  var p348: bool;
+  var p337: u32;
+  var p339: bool;
+  var p356: bool;
+  var p358: bool;
+  var p368: u32;
+  var p369: u32;
+  var p402: u32;
+  var p406: u32;
+  var p401: u32;
+  var p366: u32;
+  var p376: u32;
+  var p377: u32;
+  var p442: u32;
+  var p443: u32;
+  var p444: bool;
+  let v485 = global_invocation_id[0u];
+  let v491 = r3.w0;
+  let v19 = (v491 != 0u);
+  if v19 {
+    let v20 = (v491 * v485);
+    p40 = v20;
+    p41 = v491;
     var done0 = false;
     loop {
       if done0 { break; }
-      let v36 = p36;
-      let v37 = p37;
-      let v363 = r3[0u][1u];
-      let v39 = (v36 < v363);
-      if v39 {
-        let v364 = r3[0u][0u];
-        let v41 = (v364 != 0u);
-        if v41 {
-          let v365 = min(v364, 8u);
-          p44 = 0u;
-          p45 = 0u;
-          p46 = v365;
-          p47 = 4294967295u;
+      let v40 = p40;
+      let v41 = p41;
+      let v492 = r2[0u][1u];
+      let v43 = (v40 < v492);
+      if v43 {
+        let v493 = r2[0u][0u];
+        let v45 = (v493 != 0u);
+        if v45 {
+          let v494 = min(v493, 8u);
+          p48 = 0u;
+          p49 = 0u;
+          p50 = v494;
+          p51 = 4294967295u;
           var done1 = false;
           loop {
             if done1 { break; }
-            let v44 = p44;
-            let v45 = p45;
-            let v46 = p46;
-            let v47 = p47;
+            let v48 = p48;
+            let v49 = p49;
+            let v50 = p50;
+            let v51 = p51;
             r0[0u] = 0u;
             r0[1u] = 0u;
             r0[2u] = 0u;
@@ -82,441 +104,638 @@ fn scanline(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
             r0[5u] = 0u;
             r0[6u] = 0u;
             r0[7u] = 0u;
-            let v48 = (v46 - v45);
-            let v49 = (v48 != 8u);
-            if v49 {
-              let v50 = (v45 < v46);
-              if v50 {
-                let v51 = (v364 * v36);
-                let v374 = r3[0u][3u];
-                let v53 = (v374 == 0u);
-                p90 = v45;
+            let v52 = (v50 - v49);
+            let v53 = (v52 != 8u);
+            if v53 {
+              let v54 = (v49 >= v50);
+              if v54 {
+                p145 = true;
+                p66 = false;
+              } else {
+                p145 = false;
+                p66 = true;
+              }
+              let v66 = p66;
+              if v66 {
+                let v67 = (v493 * v40);
+                let v503 = r2[0u][3u];
+                let v69 = (v503 == 0u);
+                p112 = v49;
                 var done2 = false;
                 loop {
                   if done2 { break; }
-                  let v90 = p90;
-                  let v91 = (v90 - v45);
-                  let v92 = (v90 ^ 4294967295u);
-                  let v93 = (v364 + v92);
-                  let v94 = select(v93, v90, v53);
-                  let v95 = (v94 + v51);
-                  let v375 = (v95 * 2u);
-                  let v376 = r5[v375];
-                  r0[v91] = v376;
-                  let v102 = (v90 + 1u);
-                  let v103 = (v102 == v46);
-                  p90 = v102;
-                  done2 = v103;
+                  let v112 = p112;
+                  let v113 = (v112 - v49);
+                  let v114 = (v112 ^ 4294967295u);
+                  let v115 = (v493 + v114);
+                  let v116 = select(v115, v112, v69);
+                  let v117 = (v116 + v67);
+                  let v504 = (v117 * 2u);
+                  let v505 = r4[v504];
+                  r0[v113] = v505;
+                  let v124 = (v112 + 1u);
+                  let v125 = (v124 == v50);
+                  p112 = v124;
+                  done2 = v125;
                 }
-              }
-              p54 = false;
-            } else {
-              p54 = true;
-            }
-            let v54 = p54;
-            if v54 {
-              let v379 = r3[0u][3u];
-              let v56 = (v379 == 0u);
-              let v57 = (v46 + 4294967295u);
-              let v380 = select(7u, 0u, v56);
-              let v59 = select(v57, v45, v56);
-              let v60 = (v364 * v36);
-              let v61 = (v59 ^ 4294967295u);
-              let v62 = (v364 + v61);
-              let v63 = select(v62, v45, v56);
-              let v64 = (v63 + v60);
-              let v381 = (v64 * 2u);
-              let v382 = (v380 * 2u);
-              let v383 = (v381 + v382);
-              let v384 = r5[v383];
-              r0[0u] = v384;
-              let v387 = (v380 ^ 1u);
-              let v389 = (v387 * 2u);
-              let v390 = (v381 + v389);
-              let v391 = r5[v390];
-              r0[1u] = v391;
-              let v394 = (v380 ^ 2u);
-              let v396 = (v394 * 2u);
-              let v397 = (v381 + v396);
-              let v398 = r5[v397];
-              r0[2u] = v398;
-              let v401 = (v380 ^ 3u);
-              let v403 = (v401 * 2u);
-              let v404 = (v381 + v403);
-              let v405 = r5[v404];
-              r0[3u] = v405;
-              let v408 = (v380 ^ 4u);
-              let v410 = (v408 * 2u);
-              let v411 = (v381 + v410);
-              let v412 = r5[v411];
-              r0[4u] = v412;
-              let v415 = (v380 ^ 5u);
-              let v417 = (v415 * 2u);
-              let v418 = (v381 + v417);
-              let v419 = r5[v418];
-              r0[5u] = v419;
-              let v422 = (v380 ^ 6u);
-              let v424 = (v422 * 2u);
-              let v425 = (v381 + v424);
-              let v426 = r5[v425];
-              r0[6u] = v426;
-              let v429 = (v380 ^ 7u);
-              let v431 = (v429 * 2u);
-              let v432 = (v381 + v431);
-              let v433 = r5[v432];
-              r0[7u] = v433;
-            }
-            let v436 = r0[0u];
-            let v437 = r0[1u];
-            let v438 = r0[2u];
-            let v439 = r0[3u];
-            let v440 = r0[4u];
-            let v441 = r0[5u];
-            let v442 = r0[6u];
-            let v443 = r0[7u];
-            r1[0u] = v436;
-            r1[1u] = v437;
-            r1[2u] = v438;
-            r1[3u] = v439;
-            r1[4u] = v440;
-            r1[5u] = v441;
-            r1[6u] = v442;
-            r1[7u] = v443;
-            r2[0u] = 0u;
-            r2[1u] = 0u;
-            r2[2u] = 0u;
-            r2[3u] = 0u;
-            r2[4u] = 0u;
-            r2[5u] = 0u;
-            r2[6u] = 0u;
-            r2[7u] = 0u;
-            let v460 = r3[0u][2u];
-            let v461 = bitcast<f32>(v460);
-            let v462 = r3[2u][3u];
-            let v106 = (v462 != 0u);
-            let v107 = (v462 >> (16u & 31u));
-            let v108 = (v107 ^ v462);
-            let v109 = (v108 * 2146121005u);
-            let v110 = (v109 >> (15u & 31u));
-            let v111 = (v110 ^ v109);
-            let v112 = (v111 * 2221713035u);
-            let v113 = (v112 >> (16u & 31u));
-            let v114 = (v113 ^ v112);
-            p463 = 0u;
-            var done3 = false;
-            loop {
-              if done3 { break; }
-              let v463 = p463;
-              let v465 = (v463 + 1u);
-              let v466 = r1[v463];
-              let v467 = bitcast<f32>(v466);
-              let v120 = (v45 + v463);
-              let v121 = (v467 == bitcast<f32>(bits_7f800000));
-              let v122 = (v467 + -1.0f);
-              let v123 = (v122 / v467);
-              let v124 = (v461 * v123);
-              let v125 = select(v124, v461, v121);
-              if v106 {
-                let v468 = r3[0u][3u];
-                let v127 = (v468 != 0u);
-                if v127 {
-                  let v154 = (v120 ^ 4294967295u);
-                  let v155 = (v364 + v154);
-                  let v469 = r3[3u][0u];
-                  let v157 = (v469 + v36);
-                  let v158 = (v157 >> (16u & 31u));
-                  let v159 = (v157 ^ v158);
-                  let v160 = (v159 ^ v112);
-                  let v161 = (v160 * 2146121005u);
-                  let v162 = (v161 >> (15u & 31u));
-                  let v163 = (v162 ^ v161);
-                  let v164 = (v163 * 2221713035u);
-                  let v165 = (v164 >> (16u & 31u));
-                  let v166 = (v155 ^ v165);
-                  let v167 = (v166 ^ v164);
-                  let v168 = (v167 >> (16u & 31u));
-                  let v169 = (v168 ^ v167);
-                  let v170 = (v169 * 2146121005u);
-                  let v171 = (v170 >> (15u & 31u));
-                  let v172 = (v171 ^ v170);
-                  let v173 = (v172 * 2221713035u);
-                  let v174 = (v173 >> (16u & 31u));
-                  let v175 = (v173 & 65535u);
-                  let v176 = (v175 ^ v174);
-                  let v177 = f32(v176);
-                  let v178 = (v177 * 1.5258789e-5f);
-                  let v179 = (v178 + -0.49999237f);
-                  let v180 = -(v179);
-                  p128 = v180;
-                  p129 = false;
-                } else {
-                  p129 = true;
-                }
-                let v128 = p128;
-                let v129 = p129;
-                if v129 {
-                  let v470 = r3[3u][0u];
-                  let v131 = (v470 + v36);
-                  let v132 = (v131 ^ v114);
-                  let v133 = (v132 >> (16u & 31u));
-                  let v134 = (v133 ^ v132);
-                  let v135 = (v134 * 2146121005u);
-                  let v136 = (v135 >> (15u & 31u));
-                  let v137 = (v136 ^ v135);
-                  let v138 = (v137 * 2221713035u);
-                  let v139 = (v138 >> (16u & 31u));
-                  let v140 = (v120 ^ v139);
-                  let v141 = (v140 ^ v138);
-                  let v142 = (v141 >> (16u & 31u));
-                  let v143 = (v142 ^ v141);
-                  let v144 = (v143 * 2146121005u);
-                  let v145 = (v144 >> (15u & 31u));
-                  let v146 = (v145 ^ v144);
-                  let v147 = (v146 * 2221713035u);
-                  let v148 = (v147 >> (16u & 31u));
-                  let v149 = (v147 & 65535u);
-                  let v150 = (v149 ^ v148);
-                  let v151 = f32(v150);
-                  let v152 = (v151 * 1.5258789e-5f);
-                  let v153 = (v152 + -0.49999237f);
-                  p182 = v153;
-                } else {
-                  p182 = v128;
-                }
-                let v182 = p182;
-                let v183 = (v125 + v182);
-                p181 = v183;
+                let v508 = r0[1u];
+                let v509 = bitcast<f32>(v508);
+                let v510 = r0[2u];
+                let v511 = bitcast<f32>(v510);
+                let v512 = r0[3u];
+                let v513 = bitcast<f32>(v512);
+                let v514 = r0[4u];
+                let v515 = bitcast<f32>(v514);
+                let v516 = r0[5u];
+                let v517 = bitcast<f32>(v516);
+                let v518 = r0[6u];
+                let v519 = bitcast<f32>(v518);
+                let v520 = r0[7u];
+                let v521 = bitcast<f32>(v520);
+                p55 = v509;
+                p56 = v511;
+                p57 = v513;
+                p58 = v515;
+                p59 = v517;
+                p60 = v519;
+                p61 = v521;
+                p141 = true;
               } else {
-                p181 = v125;
+                p55 = 0.0f;
+                p56 = 0.0f;
+                p57 = 0.0f;
+                p58 = 0.0f;
+                p59 = 0.0f;
+                p60 = 0.0f;
+                p61 = 0.0f;
+                p141 = false;
               }
-              let v181 = p181;
-              let v184 = (v181 > -1048576.0f);
-              let v185 = select(-1048576.0f, v181, v184);
-              let v186 = (v185 < 1048576.0f);
-              let v187 = select(1048576.0f, v185, v186);
-              let v188 = (v187 + 12582912.0f);
-              let v189 = bitcast<u32>(v188);
-              let v190 = (v189 + 3032481792u);
-              let v191 = f32(bitcast<i32>(v190));
-              let v192 = (v187 - v191);
-              let v193 = (v192 >= 0.5f);
-              let v194 = select(0u, 1u, v193);
-              let v195 = (v190 + v120);
-              let v196 = (v195 + v194);
-              let v471 = bitcast<u32>(min(bitcast<i32>(v364), bitcast<i32>(v196)));
-              let v472 = bitcast<u32>(max(bitcast<i32>(v471), bitcast<i32>(4294967295u)));
-              let v199 = (v467 < 0.0f);
-              let v200 = select(v472, 4294967294u, v199);
-              r2[v463] = v200;
-              let v474 = (v465 == 8u);
-              p463 = v465;
-              done3 = v474;
+              p64 = false;
+            } else {
+              p145 = false;
+              p141 = false;
+              p64 = true;
             }
-            let v203 = (v45 < v46);
-            if v203 {
-              p207 = v45;
-              var done4 = false;
+            let v55 = p55;
+            let v56 = p56;
+            let v57 = p57;
+            let v58 = p58;
+            let v59 = p59;
+            let v60 = p60;
+            let v61 = p61;
+            let v64 = p64;
+            if v64 {
+              let v522 = r2[0u][3u];
+              let v71 = (v522 == 0u);
+              let v72 = (v50 + 4294967295u);
+              let v523 = select(7u, 0u, v71);
+              let v74 = select(v72, v49, v71);
+              let v75 = (v493 * v40);
+              let v76 = (v74 ^ 4294967295u);
+              let v77 = (v493 + v76);
+              let v78 = select(v77, v49, v71);
+              let v79 = (v78 + v75);
+              let v524 = (v523 ^ 1u);
+              let v525 = (v79 * 2u);
+              let v526 = (v524 * 2u);
+              let v527 = (v525 + v526);
+              let v528 = r4[v527];
+              let v529 = bitcast<f32>(v528);
+              let v530 = (v523 ^ 2u);
+              let v532 = (v530 * 2u);
+              let v533 = (v525 + v532);
+              let v534 = r4[v533];
+              let v535 = bitcast<f32>(v534);
+              let v536 = (v523 ^ 3u);
+              let v538 = (v536 * 2u);
+              let v539 = (v525 + v538);
+              let v540 = r4[v539];
+              let v541 = bitcast<f32>(v540);
+              let v542 = (v523 ^ 4u);
+              let v544 = (v542 * 2u);
+              let v545 = (v525 + v544);
+              let v546 = r4[v545];
+              let v547 = bitcast<f32>(v546);
+              let v548 = (v523 ^ 5u);
+              let v550 = (v548 * 2u);
+              let v551 = (v525 + v550);
+              let v552 = r4[v551];
+              let v553 = bitcast<f32>(v552);
+              let v554 = (v523 ^ 6u);
+              let v556 = (v554 * 2u);
+              let v557 = (v525 + v556);
+              let v558 = r4[v557];
+              let v559 = bitcast<f32>(v558);
+              let v560 = (v523 ^ 7u);
+              let v562 = (v560 * 2u);
+              let v563 = (v525 + v562);
+              let v564 = r4[v563];
+              let v565 = bitcast<f32>(v564);
+              let v637 = (v523 * 2u);
+              let v638 = (v525 + v637);
+              p566 = v638;
+              p567 = 4u;
+              p134 = v529;
+              p135 = v535;
+              p136 = v541;
+              p137 = v547;
+              p138 = v553;
+              p139 = v559;
+              p140 = v565;
+              p141 = true;
+            } else {
+              p566 = 0u;
+              p567 = 0u;
+              p134 = v55;
+              p135 = v56;
+              p136 = v57;
+              p137 = v58;
+              p138 = v59;
+              p139 = v60;
+              p140 = v61;
+            }
+            let v566 = p566;
+            let v567 = p567;
+            let v134 = p134;
+            let v135 = p135;
+            let v136 = p136;
+            let v137 = p137;
+            let v138 = p138;
+            let v139 = p139;
+            let v140 = p140;
+            let v141 = p141;
+            if v141 {
+              let v568 = (v566 * 4u);
+              let v569 = (v567 == 0u);
+              let v570 = select(0u, v568, v569);
+              let v571 = (v570 >> (2u & 31u));
+              let v572 = r0[v571];
+              let v573 = bitcast<f32>(v572);
+              let v574 = (v567 == 4u);
+              let v575 = select(0u, v568, v574);
+              let v576 = (v575 >> (2u & 31u));
+              let v577 = r4[v576];
+              let v578 = bitcast<f32>(v577);
+              let v579 = select(v573, v578, v574);
+              let v143 = !(v579 < 0.0f);
+              p144 = v579;
+              p145 = v143;
+            } else {
+              p144 = 0.0f;
+            }
+            let v144 = p144;
+            let v145 = p145;
+            if v145 {
+              let v146 = (v144 == bitcast<f32>(bits_7f800000));
+              let v580 = r2[0u][2u];
+              let v581 = bitcast<f32>(v580);
+              let v148 = (v144 + -1.0f);
+              let v149 = (v148 / v144);
+              let v150 = (v149 * v581);
+              let v151 = select(v150, v581, v146);
+              let v152 = (v151 > -1048576.0f);
+              let v153 = select(-1048576.0f, v151, v152);
+              let v154 = (v153 < 1048576.0f);
+              let v155 = select(1048576.0f, v153, v154);
+              let v156 = (v155 + 12582912.0f);
+              let v157 = bitcast<u32>(v156);
+              let v158 = (v157 + 3032481792u);
+              let v159 = f32(bitcast<i32>(v158));
+              let v160 = (v155 - v159);
+              let v161 = (v160 >= 0.5f);
+              let v162 = select(0u, 1u, v161);
+              let v163 = (v49 + v158);
+              let v164 = (v163 + v162);
+              let v582 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v164)));
+              let v583 = bitcast<u32>(max(bitcast<i32>(v582), bitcast<i32>(4294967295u)));
+              p167 = v583;
+            } else {
+              p167 = 4294967294u;
+            }
+            let v167 = p167;
+            r1[0u] = v167;
+            let v168 = !(v134 < 0.0f);
+            if v168 {
+              let v169 = (v134 == bitcast<f32>(bits_7f800000));
+              let v585 = r2[0u][2u];
+              let v586 = bitcast<f32>(v585);
+              let v171 = (v134 + -1.0f);
+              let v172 = (v171 / v134);
+              let v173 = (v172 * v586);
+              let v174 = select(v173, v586, v169);
+              let v175 = (v174 > -1048576.0f);
+              let v176 = select(-1048576.0f, v174, v175);
+              let v177 = (v176 < 1048576.0f);
+              let v178 = select(1048576.0f, v176, v177);
+              let v179 = (v178 + 12582912.0f);
+              let v180 = bitcast<u32>(v179);
+              let v181 = (v180 + 3032481792u);
+              let v182 = f32(bitcast<i32>(v181));
+              let v183 = (v178 - v182);
+              let v184 = (v183 >= 0.5f);
+              let v185 = select(0u, 1u, v184);
+              let v186 = (v49 + 1u);
+              let v187 = (v186 + v181);
+              let v188 = (v187 + v185);
+              let v587 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v188)));
+              let v588 = bitcast<u32>(max(bitcast<i32>(v587), bitcast<i32>(4294967295u)));
+              p191 = v588;
+            } else {
+              p191 = 4294967294u;
+            }
+            let v191 = p191;
+            r1[1u] = v191;
+            let v192 = !(v135 < 0.0f);
+            if v192 {
+              let v193 = (v135 == bitcast<f32>(bits_7f800000));
+              let v590 = r2[0u][2u];
+              let v591 = bitcast<f32>(v590);
+              let v195 = (v135 + -1.0f);
+              let v196 = (v195 / v135);
+              let v197 = (v196 * v591);
+              let v198 = select(v197, v591, v193);
+              let v199 = (v198 > -1048576.0f);
+              let v200 = select(-1048576.0f, v198, v199);
+              let v201 = (v200 < 1048576.0f);
+              let v202 = select(1048576.0f, v200, v201);
+              let v203 = (v202 + 12582912.0f);
+              let v204 = bitcast<u32>(v203);
+              let v205 = (v204 + 3032481792u);
+              let v206 = f32(bitcast<i32>(v205));
+              let v207 = (v202 - v206);
+              let v208 = (v207 >= 0.5f);
+              let v209 = select(0u, 1u, v208);
+              let v210 = (v49 + 2u);
+              let v211 = (v210 + v205);
+              let v212 = (v211 + v209);
+              let v592 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v212)));
+              let v593 = bitcast<u32>(max(bitcast<i32>(v592), bitcast<i32>(4294967295u)));
+              p215 = v593;
+            } else {
+              p215 = 4294967294u;
+            }
+            let v215 = p215;
+            r1[2u] = v215;
+            let v216 = !(v136 < 0.0f);
+            if v216 {
+              let v217 = (v136 == bitcast<f32>(bits_7f800000));
+              let v595 = r2[0u][2u];
+              let v596 = bitcast<f32>(v595);
+              let v219 = (v136 + -1.0f);
+              let v220 = (v219 / v136);
+              let v221 = (v220 * v596);
+              let v222 = select(v221, v596, v217);
+              let v223 = (v222 > -1048576.0f);
+              let v224 = select(-1048576.0f, v222, v223);
+              let v225 = (v224 < 1048576.0f);
+              let v226 = select(1048576.0f, v224, v225);
+              let v227 = (v226 + 12582912.0f);
+              let v228 = bitcast<u32>(v227);
+              let v229 = (v228 + 3032481792u);
+              let v230 = f32(bitcast<i32>(v229));
+              let v231 = (v226 - v230);
+              let v232 = (v231 >= 0.5f);
+              let v233 = select(0u, 1u, v232);
+              let v234 = (v49 + 3u);
+              let v235 = (v234 + v229);
+              let v236 = (v235 + v233);
+              let v597 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v236)));
+              let v598 = bitcast<u32>(max(bitcast<i32>(v597), bitcast<i32>(4294967295u)));
+              p239 = v598;
+            } else {
+              p239 = 4294967294u;
+            }
+            let v239 = p239;
+            r1[3u] = v239;
+            let v240 = !(v137 < 0.0f);
+            if v240 {
+              let v241 = (v137 == bitcast<f32>(bits_7f800000));
+              let v600 = r2[0u][2u];
+              let v601 = bitcast<f32>(v600);
+              let v243 = (v137 + -1.0f);
+              let v244 = (v243 / v137);
+              let v245 = (v244 * v601);
+              let v246 = select(v245, v601, v241);
+              let v247 = (v246 > -1048576.0f);
+              let v248 = select(-1048576.0f, v246, v247);
+              let v249 = (v248 < 1048576.0f);
+              let v250 = select(1048576.0f, v248, v249);
+              let v251 = (v250 + 12582912.0f);
+              let v252 = bitcast<u32>(v251);
+              let v253 = (v252 + 3032481792u);
+              let v254 = f32(bitcast<i32>(v253));
+              let v255 = (v250 - v254);
+              let v256 = (v255 >= 0.5f);
+              let v257 = select(0u, 1u, v256);
+              let v258 = (v49 + 4u);
+              let v259 = (v258 + v253);
+              let v260 = (v259 + v257);
+              let v602 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v260)));
+              let v603 = bitcast<u32>(max(bitcast<i32>(v602), bitcast<i32>(4294967295u)));
+              p263 = v603;
+            } else {
+              p263 = 4294967294u;
+            }
+            let v263 = p263;
+            r1[4u] = v263;
+            let v264 = !(v138 < 0.0f);
+            if v264 {
+              let v265 = (v138 == bitcast<f32>(bits_7f800000));
+              let v605 = r2[0u][2u];
+              let v606 = bitcast<f32>(v605);
+              let v267 = (v138 + -1.0f);
+              let v268 = (v267 / v138);
+              let v269 = (v268 * v606);
+              let v270 = select(v269, v606, v265);
+              let v271 = (v270 > -1048576.0f);
+              let v272 = select(-1048576.0f, v270, v271);
+              let v273 = (v272 < 1048576.0f);
+              let v274 = select(1048576.0f, v272, v273);
+              let v275 = (v274 + 12582912.0f);
+              let v276 = bitcast<u32>(v275);
+              let v277 = (v276 + 3032481792u);
+              let v278 = f32(bitcast<i32>(v277));
+              let v279 = (v274 - v278);
+              let v280 = (v279 >= 0.5f);
+              let v281 = select(0u, 1u, v280);
+              let v282 = (v49 + 5u);
+              let v283 = (v282 + v277);
+              let v284 = (v283 + v281);
+              let v607 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v284)));
+              let v608 = bitcast<u32>(max(bitcast<i32>(v607), bitcast<i32>(4294967295u)));
+              p287 = v608;
+            } else {
+              p287 = 4294967294u;
+            }
+            let v287 = p287;
+            r1[5u] = v287;
+            let v288 = !(v139 < 0.0f);
+            if v288 {
+              let v289 = (v139 == bitcast<f32>(bits_7f800000));
+              let v610 = r2[0u][2u];
+              let v611 = bitcast<f32>(v610);
+              let v291 = (v139 + -1.0f);
+              let v292 = (v291 / v139);
+              let v293 = (v292 * v611);
+              let v294 = select(v293, v611, v289);
+              let v295 = (v294 > -1048576.0f);
+              let v296 = select(-1048576.0f, v294, v295);
+              let v297 = (v296 < 1048576.0f);
+              let v298 = select(1048576.0f, v296, v297);
+              let v299 = (v298 + 12582912.0f);
+              let v300 = bitcast<u32>(v299);
+              let v301 = (v300 + 3032481792u);
+              let v302 = f32(bitcast<i32>(v301));
+              let v303 = (v298 - v302);
+              let v304 = (v303 >= 0.5f);
+              let v305 = select(0u, 1u, v304);
+              let v306 = (v49 + 6u);
+              let v307 = (v306 + v301);
+              let v308 = (v307 + v305);
+              let v612 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v308)));
+              let v613 = bitcast<u32>(max(bitcast<i32>(v612), bitcast<i32>(4294967295u)));
+              p311 = v613;
+            } else {
+              p311 = 4294967294u;
+            }
+            let v311 = p311;
+            r1[6u] = v311;
+            let v312 = !(v140 < 0.0f);
+            if v312 {
+              let v313 = (v140 == bitcast<f32>(bits_7f800000));
+              let v615 = r2[0u][2u];
+              let v616 = bitcast<f32>(v615);
+              let v315 = (v140 + -1.0f);
+              let v316 = (v315 / v140);
+              let v317 = (v316 * v616);
+              let v318 = select(v317, v616, v313);
+              let v319 = (v318 > -1048576.0f);
+              let v320 = select(-1048576.0f, v318, v319);
+              let v321 = (v320 < 1048576.0f);
+              let v322 = select(1048576.0f, v320, v321);
+              let v323 = (v322 + 12582912.0f);
+              let v324 = bitcast<u32>(v323);
+              let v325 = (v324 + 3032481792u);
+              let v326 = f32(bitcast<i32>(v325));
+              let v327 = (v322 - v326);
+              let v328 = (v327 >= 0.5f);
+              let v329 = select(0u, 1u, v328);
+              let v330 = (v49 + 7u);
+              let v331 = (v330 + v325);
+              let v332 = (v331 + v329);
+              let v617 = bitcast<u32>(min(bitcast<i32>(v493), bitcast<i32>(v332)));
+              let v618 = bitcast<u32>(max(bitcast<i32>(v617), bitcast<i32>(4294967295u)));
+              p335 = v618;
+            } else {
+              p335 = 4294967294u;
+            }
+            let v335 = p335;
+            r1[7u] = v335;
+            let v336 = (v49 < v50);
+            if v336 {
+              p340 = v49;
+              var done3 = false;
               loop {
-                if done4 { break; }
-                let v207 = p207;
-                let v208 = (v207 - v45);
-                let v475 = r2[v208];
-                let v213 = (v475 == 4294967294u);
-                if v213 {
-                  let v220 = (v207 + 1u);
-                  let v221 = (v220 == v46);
-                  p315 = v220;
-                  p316 = false;
-                  p317 = v221;
+                if done3 { break; }
+                let v340 = p340;
+                let v341 = (v340 - v49);
+                let v620 = r1[v341];
+                let v346 = (v620 == 4294967294u);
+                if v346 {
+                  let v353 = (v340 + 1u);
+                  let v354 = (v353 == v50);
+                  p448 = v353;
+                  p449 = false;
+                  p450 = v354;
                 } else {
-                  p316 = true;
-                  p317 = true;
+                  p449 = true;
+                  p450 = true;
                 }
-                let v315 = p315;
-                let v316 = p316;
-                let v317 = p317;
-                let v318 = (v316 != true);
-                p207 = v315;
-                p204 = v207;
-                p492 = v318;
-                done4 = v317;
+                let v448 = p448;
+                let v449 = p449;
+                let v450 = p450;
+                let v451 = (v449 != true);
+                p340 = v448;
+                p337 = v340;
+                p640 = v451;
+                done3 = v450;
               }
-              let v492 = p492;
-              if v492 {
-                p223 = true;
-                p215 = false;
+              let v640 = p640;
+              if v640 {
+                p356 = true;
+                p348 = false;
               } else {
-                p223 = false;
-                p215 = true;
+                p356 = false;
+                p348 = true;
               }
-              let v215 = p215;
-              if v215 {
-                p206 = true;
+              let v348 = p348;
+              if v348 {
+                p339 = true;
               } else {
-                p204 = v46;
-                p206 = false;
+                p337 = v50;
+                p339 = false;
               }
             } else {
-              p204 = v45;
-              p223 = false;
-              p206 = true;
+              p337 = v49;
+              p356 = false;
+              p339 = true;
             }
-            let v204 = p204;
-            let v206 = p206;
-            if v206 {
-              let v218 = (v204 == v46);
-              let v219 = (v218 != true);
-              p225 = v219;
-              p223 = v218;
+            let v337 = p337;
+            let v339 = p339;
+            if v339 {
+              let v351 = (v337 == v50);
+              let v352 = (v351 != true);
+              p358 = v352;
+              p356 = v351;
             } else {
-              p225 = false;
+              p358 = false;
             }
-            let v223 = p223;
-            if v223 {
-              let v224 = (v46 >= v364);
-              p225 = v224;
+            let v356 = p356;
+            if v356 {
+              let v357 = (v50 >= v493);
+              p358 = v357;
             }
-            let v225 = p225;
-            if v225 {
-              let v226 = (v204 < v46);
-              if v226 {
-                p235 = v47;
-                p236 = v204;
-                var done5 = false;
+            let v358 = p358;
+            if v358 {
+              let v359 = (v337 < v50);
+              if v359 {
+                p368 = v51;
+                p369 = v337;
+                var done4 = false;
                 loop {
-                  if done5 { break; }
-                  let v235 = p235;
-                  let v236 = p236;
-                  let v237 = (v236 - v45);
-                  let v476 = r2[v237];
-                  let v242 = (v476 != 4294967294u);
-                  if v242 {
-                    let v260 = (v235 + 1u);
-                    let v477 = r3[2u][0u];
-                    let v262 = (v477 != 0u);
-                    let v263 = (bitcast<i32>(v260) < bitcast<i32>(v476));
-                    let v264 = (v263 & v262);
-                    if v264 {
-                      let v266 = (bitcast<i32>(v476) < bitcast<i32>(v364));
-                      let v267 = select(0u, 1u, v266);
-                      p269 = v267;
+                  if done4 { break; }
+                  let v368 = p368;
+                  let v369 = p369;
+                  let v370 = (v369 - v49);
+                  let v621 = r1[v370];
+                  let v375 = (v621 != 4294967294u);
+                  if v375 {
+                    let v393 = (v368 + 1u);
+                    let v622 = r2[2u][0u];
+                    let v395 = (v622 != 0u);
+                    let v396 = (bitcast<i32>(v393) < bitcast<i32>(v621));
+                    let v397 = (v396 & v395);
+                    if v397 {
+                      let v399 = (bitcast<i32>(v621) < bitcast<i32>(v493));
+                      let v400 = select(0u, 1u, v399);
+                      p402 = v400;
                     } else {
-                      p269 = 0u;
+                      p402 = 0u;
                     }
-                    let v269 = p269;
-                    let v270 = (v269 + v476);
-                    let v271 = (bitcast<i32>(v260) < bitcast<i32>(v270));
-                    if v271 {
-                      let v272 = (v236 + 1u);
-                      p273 = v260;
-                      var done6 = false;
+                    let v402 = p402;
+                    let v403 = (v402 + v621);
+                    let v404 = (bitcast<i32>(v393) < bitcast<i32>(v403));
+                    if v404 {
+                      let v405 = (v369 + 1u);
+                      p406 = v393;
+                      var done5 = false;
                       loop {
-                        if done6 { break; }
-                        let v273 = p273;
-                        let v275 = (v364 * v36);
-                        let v480 = r3[0u][3u];
-                        let v277 = (v480 == 0u);
-                        let v278 = (v273 ^ 4294967295u);
-                        let v279 = (v364 + v278);
-                        let v280 = select(v279, v273, v277);
-                        let v281 = (v280 + v275);
-                        atomicStore(&r7[v281], v272);
-                        let v285 = (v273 + 1u);
-                        let v286 = (v285 == v270);
-                        p273 = v285;
-                        done6 = v286;
+                        if done5 { break; }
+                        let v406 = p406;
+                        let v408 = (v493 * v40);
+                        let v625 = r2[0u][3u];
+                        let v410 = (v625 == 0u);
+                        let v411 = (v406 ^ 4294967295u);
+                        let v412 = (v493 + v411);
+                        let v413 = select(v412, v406, v410);
+                        let v414 = (v413 + v408);
+                        atomicStore(&r6[v414], v405);
+                        let v418 = (v406 + 1u);
+                        let v419 = (v418 == v403);
+                        p406 = v418;
+                        done5 = v419;
                       }
                     }
-                    let v288 = (v476 < v364);
-                    if v288 {
-                      let v289 = (v364 * v36);
-                      let v483 = r3[0u][3u];
-                      let v291 = (v483 == 0u);
-                      let v292 = (v476 ^ 4294967295u);
-                      let v293 = (v364 + v292);
-                      let v294 = select(v293, v476, v291);
-                      let v295 = (v294 + v289);
-                      let v299 = (v236 + 1u);
-                      atomicStore(&r6[v295], v299);
+                    let v421 = (v621 < v493);
+                    if v421 {
+                      let v422 = (v493 * v40);
+                      let v628 = r2[0u][3u];
+                      let v424 = (v628 == 0u);
+                      let v425 = (v621 ^ 4294967295u);
+                      let v426 = (v493 + v425);
+                      let v427 = select(v426, v621, v424);
+                      let v428 = (v427 + v422);
+                      let v432 = (v369 + 1u);
+                      atomicStore(&r5[v428], v432);
                     }
-                    p268 = v476;
+                    p401 = v621;
                   } else {
-                    p268 = v235;
+                    p401 = v368;
                   }
-                  let v268 = p268;
-                  let v258 = (v236 + 1u);
-                  let v259 = (v258 == v46);
-                  p235 = v268;
-                  p236 = v258;
-                  p233 = v268;
-                  done5 = v259;
+                  let v401 = p401;
+                  let v391 = (v369 + 1u);
+                  let v392 = (v391 == v50);
+                  p368 = v401;
+                  p369 = v391;
+                  p366 = v401;
+                  done4 = v392;
                 }
               } else {
-                p233 = v47;
+                p366 = v51;
               }
-              let v233 = p233;
-              let v229 = (v46 == v364);
-              if v229 {
-                let v230 = (v233 + 1u);
-                let v231 = (bitcast<i32>(v230) < bitcast<i32>(v46));
-                if v231 {
-                  let v232 = (v46 + 1u);
-                  p243 = v230;
-                  p244 = v233;
-                  var done7 = false;
+              let v366 = p366;
+              let v362 = (v50 == v493);
+              if v362 {
+                let v363 = (v366 + 1u);
+                let v364 = (bitcast<i32>(v363) < bitcast<i32>(v50));
+                if v364 {
+                  let v365 = (v50 + 1u);
+                  p376 = v363;
+                  p377 = v366;
+                  var done6 = false;
                   loop {
-                    if done7 { break; }
-                    let v243 = p243;
-                    let v244 = p244;
-                    let v246 = (v364 * v36);
-                    let v487 = r3[0u][3u];
-                    let v248 = (v487 == 0u);
-                    let v249 = (v364 - v244);
-                    let v250 = (v249 + 4294967294u);
-                    let v251 = select(v250, v243, v248);
-                    let v252 = (v251 + v246);
-                    atomicStore(&r7[v252], v232);
-                    let v256 = (v243 + 1u);
-                    let v257 = (v256 == v46);
-                    p243 = v256;
-                    p244 = v243;
-                    done7 = v257;
+                    if done6 { break; }
+                    let v376 = p376;
+                    let v377 = p377;
+                    let v379 = (v493 * v40);
+                    let v632 = r2[0u][3u];
+                    let v381 = (v632 == 0u);
+                    let v382 = (v493 - v377);
+                    let v383 = (v382 + 4294967294u);
+                    let v384 = select(v383, v376, v381);
+                    let v385 = (v384 + v379);
+                    atomicStore(&r6[v385], v365);
+                    let v389 = (v376 + 1u);
+                    let v390 = (v389 == v50);
+                    p376 = v389;
+                    p377 = v376;
+                    done6 = v390;
                   }
                 }
               }
-              p47 = v233;
+              p51 = v366;
             } else {
-              p47 = v47;
+              p51 = v51;
             }
-            let v300 = (v44 + 1u);
-            let v301 = (v300 << (3u & 31u));
-            let v490 = min(v301, v364);
-            let v304 = (v364 - v490);
-            let v305 = (v304 < 8u);
-            let v306 = (v490 + 8u);
-            let v307 = select(v306, v364, v305);
-            let v308 = (v490 == v307);
-            p44 = v300;
-            p45 = v490;
-            p46 = v307;
-            done1 = v308;
+            let v433 = (v48 + 1u);
+            let v434 = (v433 << (3u & 31u));
+            let v635 = min(v434, v493);
+            let v437 = (v493 - v635);
+            let v438 = (v437 < 8u);
+            let v439 = (v635 + 8u);
+            let v440 = select(v439, v493, v438);
+            let v441 = (v635 == v440);
+            p48 = v433;
+            p49 = v635;
+            p50 = v440;
+            done1 = v441;
           }
         }
-        let v312 = (v36 + 1u);
-        let v313 = (v37 + 4294967295u);
-        let v314 = (v313 == 0u);
-        p309 = v313;
-        p310 = v312;
-        p311 = v314;
+        let v445 = (v40 + 1u);
+        let v446 = (v41 + 4294967295u);
+        let v447 = (v446 == 0u);
+        p442 = v446;
+        p443 = v445;
+        p444 = v447;
       } else {
-        p311 = true;
+        p444 = true;
       }
-      let v309 = p309;
-      let v310 = p310;
-      let v311 = p311;
-      p36 = v310;
-      p37 = v309;
-      done0 = v311;
+      let v442 = p442;
+      let v443 = p443;
+      let v444 = p444;
+      p40 = v443;
+      p41 = v442;
+      done0 = v444;
     }
   }
   return;

@@ -1,4 +1,4 @@
-@group(0) @binding(0) var<uniform> r0: array<vec4<u32>, 4>;
+@group(0) @binding(0) var<uniform> r0: array<vec4<u32>, 3>;
 @group(0) @binding(1) var<storage, read> r1: array<u32>;
 @group(0) @binding(2) var<storage, read> r2: array<u32>;
 @group(0) @binding(3) var<storage, read> r3: array<u32>;
@@ -144,7 +144,7 @@ fn settle(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                 }
                 let v106 = p106;
                 if v106 {
-                  let v238 = r0[3u][1u];
+                  let v238 = r0[2u][3u];
                   let v108 = (v238 != 0u);
                   p88 = true;
                   p110 = v108;
@@ -178,7 +178,7 @@ fn settle(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
                   }
                   let v131 = p131;
                   if v131 {
-                    let v240 = r0[3u][1u];
+                    let v240 = r0[2u][3u];
                     let v133 = (v240 == 0u);
                     let v134 = (v133 != true);
                     p155 = v134;

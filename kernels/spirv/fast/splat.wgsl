@@ -1,68 +1,63 @@
-@group(0) @binding(0) var<uniform> r3: array<vec4<u32>, 4>;
-@group(0) @binding(1) var<storage, read> r4: array<u32>;
-@group(0) @binding(2) var<storage, read_write> r5: array<atomic<u32>>;
-@group(0) @binding(3) var<storage, read_write> r6: array<atomic<u32>>;
+@group(0) @binding(0) var<uniform> r2: array<vec4<u32>, 3>;
+@group(0) @binding(1) var<storage, read> r3: array<u32>;
+@group(0) @binding(2) var<storage, read_write> r4: array<atomic<u32>>;
+@group(0) @binding(3) var<storage, read_write> r5: array<atomic<u32>>;
 var<private> bits_7f800000: u32 = 2139095040u;
 @compute @workgroup_size(64, 1, 1)
 fn splat(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 8>;
   var r1: array<u32, 8>;
-  var r2: array<u32, 8>;
-  var p93: u32;
-  var p92: bool;
-  var p36: u32;
-  var p48: bool;
-  var p561: u32;
-  var p132: f32;
-  var p133: bool;
-  var p186: f32;
-  var p185: f32;
-  var p211: u32;
-  var p405: u32;
-  var p406: bool;
-  var p407: bool;
-  var p595: bool;
-  var p219: bool;
-  var p208: u32;
-  var p210: bool;
-  var p227: bool;
-  var p229: bool;
-  var p233: u32;
-  var p269: f32;
-  var p270: bool;
-  var p299: f32;
-  var p303: u32;
-  var p304: bool;
-  var p237: u32;
-  var p242: bool;
-  var p596: bool;
-  var p598: u32;
-  var p599: f32;
-  var p322: u32;
-  var p323: bool;
+  var p94: u32;
+  var p93: bool;
+  var p37: u32;
+  var p32: bool;
+  var p106: bool;
+  var p108: f32;
+  var p146: u32;
+  var p170: u32;
+  var p195: u32;
+  var p220: u32;
+  var p245: u32;
+  var p270: u32;
+  var p295: u32;
+  var p320: u32;
   var p324: u32;
-  var p337: u32;
-  var p338: u32;
-  var p372: u32;
-  var p376: u32;
-  var p371: u32;
-  var p335: u32;
-  var p345: u32;
-  var p346: u32;
-  let v451 = global_invocation_id[0u];
-  let v452 = global_invocation_id[1u];
-  let v457 = r3[0u][1u];
-  let v19 = (v452 < v457);
-  let v458 = r3[0u][0u];
-  let v21 = (v451 << (3u & 31u));
-  let v459 = min(v21, v458);
-  let v23 = select(v458, v459, v19);
-  let v24 = (v458 - v23);
-  let v25 = (v24 < 8u);
-  let v26 = (v23 + 8u);
-  let v27 = select(v26, v458, v25);
-  let v28 = (v23 != v27);
-  if v28 {
+  var p331: u32;
+  var p333: bool;
+  var p323: u32;
+  var p343: u32;
+  var p387: u32;
+  var p388: bool;
+  var p348: u32;
+  var p353: bool;
+  var p680: bool;
+  var p682: u32;
+  var p683: f32;
+  var p390: u32;
+  var p391: bool;
+  var p392: u32;
+  var p405: u32;
+  var p406: u32;
+  var p440: u32;
+  var p444: u32;
+  var p439: u32;
+  var p403: u32;
+  var p413: u32;
+  var p414: u32;
+  let v518 = global_invocation_id[0u];
+  let v519 = global_invocation_id[1u];
+  let v524 = r2[0u][1u];
+  let v18 = (v519 < v524);
+  let v525 = r2[0u][0u];
+  let v20 = (v518 << (3u & 31u));
+  let v526 = min(v20, v525);
+  let v22 = select(v525, v526, v18);
+  let v23 = (v525 - v22);
+  let v24 = (v23 < 8u);
+  let v25 = (v22 + 8u);
+  let v26 = select(v25, v525, v24);
+  let v27 = (v22 != v26);
+  if v27 {
     r0[0u] = 0u;
     r0[1u] = 0u;
     r0[2u] = 0u;
@@ -71,570 +66,612 @@ fn splat(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
     r0[5u] = 0u;
     r0[6u] = 0u;
     r0[7u] = 0u;
-    let v29 = (v27 - v23);
-    let v30 = (v29 != 8u);
-    if v30 {
-      let v31 = (v23 < v27);
-      if v31 {
-        let v32 = (v458 * v452);
-        let v468 = r3[0u][3u];
-        let v35 = (v468 != 0u);
-        if v35 {
-          let v47 = (v458 + v32);
-          p93 = v23;
+    let v28 = (v26 - v22);
+    let v29 = (v28 != 8u);
+    if v29 {
+      let v30 = (v22 < v26);
+      if v30 {
+        let v33 = (v525 * v519);
+        let v535 = r2[0u][3u];
+        let v36 = (v535 != 0u);
+        if v36 {
+          let v48 = (v525 + v33);
+          p94 = v22;
           var done0 = false;
           loop {
             if done0 { break; }
-            let v93 = p93;
-            let v94 = (v93 - v23);
-            let v95 = (v93 ^ 4294967295u);
-            let v96 = (v47 + v95);
-            let v469 = (v96 * 2u);
-            let v470 = r4[v469];
-            r0[v94] = v470;
-            let v103 = (v93 + 1u);
-            let v104 = (v103 == v27);
-            p93 = v103;
-            done0 = v104;
+            let v94 = p94;
+            let v95 = (v94 - v22);
+            let v96 = (v94 ^ 4294967295u);
+            let v97 = (v48 + v96);
+            let v536 = (v97 * 2u);
+            let v537 = r3[v536];
+            r0[v95] = v537;
+            let v104 = (v94 + 1u);
+            let v105 = (v104 == v26);
+            p94 = v104;
+            done0 = v105;
           }
-          p92 = false;
+          p93 = false;
         } else {
-          p92 = true;
+          p93 = true;
         }
-        let v92 = p92;
-        if v92 {
-          p36 = v23;
+        let v93 = p93;
+        if v93 {
+          p37 = v22;
           var done1 = false;
           loop {
             if done1 { break; }
-            let v36 = p36;
-            let v37 = (v36 - v23);
-            let v38 = (v36 + v32);
-            let v473 = (v38 * 2u);
-            let v474 = r4[v473];
-            r0[v37] = v474;
-            let v45 = (v36 + 1u);
-            let v46 = (v45 == v27);
-            p36 = v45;
-            done1 = v46;
+            let v37 = p37;
+            let v38 = (v37 - v22);
+            let v39 = (v37 + v33);
+            let v540 = (v39 * 2u);
+            let v541 = r3[v540];
+            r0[v38] = v541;
+            let v46 = (v37 + 1u);
+            let v47 = (v46 == v26);
+            p37 = v46;
+            done1 = v47;
           }
         }
-      }
-      p48 = false;
-    } else {
-      p48 = true;
-    }
-    let v48 = p48;
-    if v48 {
-      let v477 = r3[0u][3u];
-      let v51 = (v477 == 0u);
-      let v52 = (v27 + 4294967295u);
-      let v478 = select(7u, 0u, v51);
-      let v54 = select(v52, v23, v51);
-      let v55 = (v458 * v452);
-      let v56 = (v54 ^ 4294967295u);
-      let v57 = (v458 + v56);
-      let v58 = select(v57, v23, v51);
-      let v59 = (v58 + v55);
-      let v479 = (v59 * 2u);
-      let v480 = (v478 * 2u);
-      let v481 = (v479 + v480);
-      let v482 = r4[v481];
-      r0[0u] = v482;
-      let v485 = (v478 ^ 1u);
-      let v487 = (v485 * 2u);
-      let v488 = (v479 + v487);
-      let v489 = r4[v488];
-      r0[1u] = v489;
-      let v492 = (v478 ^ 2u);
-      let v494 = (v492 * 2u);
-      let v495 = (v479 + v494);
-      let v496 = r4[v495];
-      r0[2u] = v496;
-      let v499 = (v478 ^ 3u);
-      let v501 = (v499 * 2u);
-      let v502 = (v479 + v501);
-      let v503 = r4[v502];
-      r0[3u] = v503;
-      let v506 = (v478 ^ 4u);
-      let v508 = (v506 * 2u);
-      let v509 = (v479 + v508);
-      let v510 = r4[v509];
-      r0[4u] = v510;
-      let v513 = (v478 ^ 5u);
-      let v515 = (v513 * 2u);
-      let v516 = (v479 + v515);
-      let v517 = r4[v516];
-      r0[5u] = v517;
-      let v520 = (v478 ^ 6u);
-      let v522 = (v520 * 2u);
-      let v523 = (v479 + v522);
-      let v524 = r4[v523];
-      r0[6u] = v524;
-      let v527 = (v478 ^ 7u);
-      let v529 = (v527 * 2u);
-      let v530 = (v479 + v529);
-      let v531 = r4[v530];
-      r0[7u] = v531;
-    }
-    let v534 = r0[0u];
-    let v535 = r0[1u];
-    let v536 = r0[2u];
-    let v537 = r0[3u];
-    let v538 = r0[4u];
-    let v539 = r0[5u];
-    let v540 = r0[6u];
-    let v541 = r0[7u];
-    r1[0u] = v534;
-    r1[1u] = v535;
-    r1[2u] = v536;
-    r1[3u] = v537;
-    r1[4u] = v538;
-    r1[5u] = v539;
-    r1[6u] = v540;
-    r1[7u] = v541;
-    r2[0u] = 0u;
-    r2[1u] = 0u;
-    r2[2u] = 0u;
-    r2[3u] = 0u;
-    r2[4u] = 0u;
-    r2[5u] = 0u;
-    r2[6u] = 0u;
-    r2[7u] = 0u;
-    let v558 = r3[0u][2u];
-    let v559 = bitcast<f32>(v558);
-    let v560 = r3[2u][3u];
-    let v109 = (v560 != 0u);
-    let v112 = (v560 >> (16u & 31u));
-    let v113 = (v112 ^ v560);
-    let v114 = (v113 * 2146121005u);
-    let v115 = (v114 >> (15u & 31u));
-    let v116 = (v115 ^ v114);
-    let v117 = (v116 * 2221713035u);
-    let v118 = (v117 >> (16u & 31u));
-    p561 = 0u;
-    var done2 = false;
-    loop {
-      if done2 { break; }
-      let v561 = p561;
-      let v563 = (v561 + 1u);
-      let v564 = r1[v561];
-      let v565 = bitcast<f32>(v564);
-      let v124 = (v23 + v561);
-      let v125 = (v565 == bitcast<f32>(bits_7f800000));
-      let v126 = (v565 + -1.0f);
-      let v127 = (v126 / v565);
-      let v128 = (v559 * v127);
-      let v129 = select(v128, v559, v125);
-      if v109 {
-        let v566 = r3[0u][3u];
-        let v131 = (v566 != 0u);
-        if v131 {
-          let v158 = (v124 ^ 4294967295u);
-          let v159 = (v458 + v158);
-          let v567 = r3[3u][0u];
-          let v161 = (v567 + v452);
-          let v162 = (v161 >> (16u & 31u));
-          let v163 = (v161 ^ v162);
-          let v164 = (v163 ^ v117);
-          let v165 = (v164 * 2146121005u);
-          let v166 = (v165 >> (15u & 31u));
-          let v167 = (v166 ^ v165);
-          let v168 = (v167 * 2221713035u);
-          let v169 = (v168 >> (16u & 31u));
-          let v170 = (v159 ^ v169);
-          let v171 = (v170 ^ v168);
-          let v172 = (v171 >> (16u & 31u));
-          let v173 = (v172 ^ v171);
-          let v174 = (v173 * 2146121005u);
-          let v175 = (v174 >> (15u & 31u));
-          let v176 = (v175 ^ v174);
-          let v177 = (v176 * 2221713035u);
-          let v178 = (v177 >> (16u & 31u));
-          let v179 = (v177 & 65535u);
-          let v180 = (v179 ^ v178);
-          let v181 = f32(v180);
-          let v182 = (v181 * 1.5258789e-5f);
-          let v183 = (v182 + -0.49999237f);
-          let v184 = -(v183);
-          p132 = v184;
-          p133 = false;
-        } else {
-          p133 = true;
-        }
-        let v132 = p132;
-        let v133 = p133;
-        if v133 {
-          let v568 = r3[3u][0u];
-          let v135 = (v568 + v452);
-          let v136 = (v135 >> (16u & 31u));
-          let v137 = (v135 ^ v136);
-          let v138 = (v137 ^ v117);
-          let v139 = (v138 * 2146121005u);
-          let v140 = (v139 >> (15u & 31u));
-          let v141 = (v140 ^ v139);
-          let v142 = (v141 * 2221713035u);
-          let v143 = (v142 >> (16u & 31u));
-          let v144 = (v124 ^ v143);
-          let v145 = (v144 ^ v142);
-          let v146 = (v145 >> (16u & 31u));
-          let v147 = (v146 ^ v145);
-          let v148 = (v147 * 2146121005u);
-          let v149 = (v148 >> (15u & 31u));
-          let v150 = (v149 ^ v148);
-          let v151 = (v150 * 2221713035u);
-          let v152 = (v151 >> (16u & 31u));
-          let v153 = (v151 & 65535u);
-          let v154 = (v153 ^ v152);
-          let v155 = f32(v154);
-          let v156 = (v155 * 1.5258789e-5f);
-          let v157 = (v156 + -0.49999237f);
-          p186 = v157;
-        } else {
-          p186 = v132;
-        }
-        let v186 = p186;
-        let v187 = (v129 + v186);
-        p185 = v187;
+        p106 = true;
       } else {
-        p185 = v129;
+        p106 = false;
       }
-      let v185 = p185;
-      let v188 = (v185 > -1048576.0f);
-      let v189 = select(-1048576.0f, v185, v188);
-      let v190 = (v189 < 1048576.0f);
-      let v191 = select(1048576.0f, v189, v190);
-      let v192 = (v191 + 12582912.0f);
-      let v193 = bitcast<u32>(v192);
-      let v194 = (v193 + 3032481792u);
-      let v195 = f32(bitcast<i32>(v194));
-      let v196 = (v191 - v195);
-      let v197 = (v196 >= 0.5f);
-      let v198 = select(0u, 1u, v197);
-      let v199 = (v194 + v124);
-      let v200 = (v199 + v198);
-      let v569 = bitcast<u32>(min(bitcast<i32>(v458), bitcast<i32>(v200)));
-      let v570 = bitcast<u32>(max(bitcast<i32>(v569), bitcast<i32>(4294967295u)));
-      let v203 = (v565 < 0.0f);
-      let v204 = select(v570, 4294967294u, v203);
-      r2[v561] = v204;
-      let v572 = (v563 == 8u);
-      p561 = v563;
-      done2 = v572;
+      p32 = false;
+    } else {
+      p106 = false;
+      p32 = true;
     }
-    let v207 = (v23 < v27);
-    if v207 {
-      p211 = v23;
+    let v32 = p32;
+    if v32 {
+      let v544 = r2[0u][3u];
+      let v52 = (v544 == 0u);
+      let v53 = (v26 + 4294967295u);
+      let v545 = select(7u, 0u, v52);
+      let v55 = select(v53, v22, v52);
+      let v56 = (v525 * v519);
+      let v57 = (v55 ^ 4294967295u);
+      let v58 = (v525 + v57);
+      let v59 = select(v58, v22, v52);
+      let v60 = (v59 + v56);
+      let v546 = (v60 * 2u);
+      let v547 = (v545 * 2u);
+      let v548 = (v546 + v547);
+      let v549 = r3[v548];
+      r0[0u] = v549;
+      let v552 = (v545 ^ 1u);
+      let v554 = (v552 * 2u);
+      let v555 = (v546 + v554);
+      let v556 = r3[v555];
+      r0[1u] = v556;
+      let v559 = (v545 ^ 2u);
+      let v561 = (v559 * 2u);
+      let v562 = (v546 + v561);
+      let v563 = r3[v562];
+      r0[2u] = v563;
+      let v566 = (v545 ^ 3u);
+      let v568 = (v566 * 2u);
+      let v569 = (v546 + v568);
+      let v570 = r3[v569];
+      r0[3u] = v570;
+      let v573 = (v545 ^ 4u);
+      let v575 = (v573 * 2u);
+      let v576 = (v546 + v575);
+      let v577 = r3[v576];
+      r0[4u] = v577;
+      let v580 = (v545 ^ 5u);
+      let v582 = (v580 * 2u);
+      let v583 = (v546 + v582);
+      let v584 = r3[v583];
+      r0[5u] = v584;
+      let v587 = (v545 ^ 6u);
+      let v589 = (v587 * 2u);
+      let v590 = (v546 + v589);
+      let v591 = r3[v590];
+      r0[6u] = v591;
+      let v594 = (v545 ^ 7u);
+      let v596 = (v594 * 2u);
+      let v597 = (v546 + v596);
+      let v598 = r3[v597];
+      r0[7u] = v598;
+      p106 = true;
+    }
+    let v106 = p106;
+    if v106 {
+      let v601 = r0[0u];
+      let v602 = bitcast<f32>(v601);
+      p108 = v602;
+    } else {
+      p108 = 0.0f;
+    }
+    let v108 = p108;
+    let v603 = r0[1u];
+    let v604 = bitcast<f32>(v603);
+    let v605 = r0[2u];
+    let v606 = bitcast<f32>(v605);
+    let v607 = r0[3u];
+    let v608 = bitcast<f32>(v607);
+    let v609 = r0[4u];
+    let v610 = bitcast<f32>(v609);
+    let v611 = r0[5u];
+    let v612 = bitcast<f32>(v611);
+    let v613 = r0[6u];
+    let v614 = bitcast<f32>(v613);
+    let v615 = r0[7u];
+    let v616 = bitcast<f32>(v615);
+    let v124 = !(v108 < 0.0f);
+    if v124 {
+      let v125 = (v108 == bitcast<f32>(bits_7f800000));
+      let v617 = r2[0u][2u];
+      let v618 = bitcast<f32>(v617);
+      let v127 = (v108 + -1.0f);
+      let v128 = (v127 / v108);
+      let v129 = (v128 * v618);
+      let v130 = select(v129, v618, v125);
+      let v131 = (v130 > -1048576.0f);
+      let v132 = select(-1048576.0f, v130, v131);
+      let v133 = (v132 < 1048576.0f);
+      let v134 = select(1048576.0f, v132, v133);
+      let v135 = (v134 + 12582912.0f);
+      let v136 = bitcast<u32>(v135);
+      let v137 = (v136 + 3032481792u);
+      let v138 = f32(bitcast<i32>(v137));
+      let v139 = (v134 - v138);
+      let v140 = (v139 >= 0.5f);
+      let v141 = select(0u, 1u, v140);
+      let v142 = (v22 + v137);
+      let v143 = (v142 + v141);
+      let v619 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v143)));
+      let v620 = bitcast<u32>(max(bitcast<i32>(v619), bitcast<i32>(4294967295u)));
+      p146 = v620;
+    } else {
+      p146 = 4294967294u;
+    }
+    let v146 = p146;
+    r1[0u] = v146;
+    let v147 = !(v604 < 0.0f);
+    if v147 {
+      let v148 = (v604 == bitcast<f32>(bits_7f800000));
+      let v622 = r2[0u][2u];
+      let v623 = bitcast<f32>(v622);
+      let v150 = (v604 + -1.0f);
+      let v151 = (v150 / v604);
+      let v152 = (v151 * v623);
+      let v153 = select(v152, v623, v148);
+      let v154 = (v153 > -1048576.0f);
+      let v155 = select(-1048576.0f, v153, v154);
+      let v156 = (v155 < 1048576.0f);
+      let v157 = select(1048576.0f, v155, v156);
+      let v158 = (v157 + 12582912.0f);
+      let v159 = bitcast<u32>(v158);
+      let v160 = (v159 + 3032481792u);
+      let v161 = f32(bitcast<i32>(v160));
+      let v162 = (v157 - v161);
+      let v163 = (v162 >= 0.5f);
+      let v164 = select(0u, 1u, v163);
+      let v165 = (v22 + 1u);
+      let v166 = (v165 + v160);
+      let v167 = (v166 + v164);
+      let v624 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v167)));
+      let v625 = bitcast<u32>(max(bitcast<i32>(v624), bitcast<i32>(4294967295u)));
+      p170 = v625;
+    } else {
+      p170 = 4294967294u;
+    }
+    let v170 = p170;
+    r1[1u] = v170;
+    let v172 = !(v606 < 0.0f);
+    if v172 {
+      let v173 = (v606 == bitcast<f32>(bits_7f800000));
+      let v627 = r2[0u][2u];
+      let v628 = bitcast<f32>(v627);
+      let v175 = (v606 + -1.0f);
+      let v176 = (v175 / v606);
+      let v177 = (v176 * v628);
+      let v178 = select(v177, v628, v173);
+      let v179 = (v178 > -1048576.0f);
+      let v180 = select(-1048576.0f, v178, v179);
+      let v181 = (v180 < 1048576.0f);
+      let v182 = select(1048576.0f, v180, v181);
+      let v183 = (v182 + 12582912.0f);
+      let v184 = bitcast<u32>(v183);
+      let v185 = (v184 + 3032481792u);
+      let v186 = f32(bitcast<i32>(v185));
+      let v187 = (v182 - v186);
+      let v188 = (v187 >= 0.5f);
+      let v189 = select(0u, 1u, v188);
+      let v190 = (v22 + 2u);
+      let v191 = (v190 + v185);
+      let v192 = (v191 + v189);
+      let v629 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v192)));
+      let v630 = bitcast<u32>(max(bitcast<i32>(v629), bitcast<i32>(4294967295u)));
+      p195 = v630;
+    } else {
+      p195 = 4294967294u;
+    }
+    let v195 = p195;
+    r1[2u] = v195;
+    let v197 = !(v608 < 0.0f);
+    if v197 {
+      let v198 = (v608 == bitcast<f32>(bits_7f800000));
+      let v632 = r2[0u][2u];
+      let v633 = bitcast<f32>(v632);
+      let v200 = (v608 + -1.0f);
+      let v201 = (v200 / v608);
+      let v202 = (v201 * v633);
+      let v203 = select(v202, v633, v198);
+      let v204 = (v203 > -1048576.0f);
+      let v205 = select(-1048576.0f, v203, v204);
+      let v206 = (v205 < 1048576.0f);
+      let v207 = select(1048576.0f, v205, v206);
+      let v208 = (v207 + 12582912.0f);
+      let v209 = bitcast<u32>(v208);
+      let v210 = (v209 + 3032481792u);
+      let v211 = f32(bitcast<i32>(v210));
+      let v212 = (v207 - v211);
+      let v213 = (v212 >= 0.5f);
+      let v214 = select(0u, 1u, v213);
+      let v215 = (v22 + 3u);
+      let v216 = (v215 + v210);
+      let v217 = (v216 + v214);
+      let v634 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v217)));
+      let v635 = bitcast<u32>(max(bitcast<i32>(v634), bitcast<i32>(4294967295u)));
+      p220 = v635;
+    } else {
+      p220 = 4294967294u;
+    }
+    let v220 = p220;
+    r1[3u] = v220;
+    let v222 = !(v610 < 0.0f);
+    if v222 {
+      let v223 = (v610 == bitcast<f32>(bits_7f800000));
+      let v637 = r2[0u][2u];
+      let v638 = bitcast<f32>(v637);
+      let v225 = (v610 + -1.0f);
+      let v226 = (v225 / v610);
+      let v227 = (v226 * v638);
+      let v228 = select(v227, v638, v223);
+      let v229 = (v228 > -1048576.0f);
+      let v230 = select(-1048576.0f, v228, v229);
+      let v231 = (v230 < 1048576.0f);
+      let v232 = select(1048576.0f, v230, v231);
+      let v233 = (v232 + 12582912.0f);
+      let v234 = bitcast<u32>(v233);
+      let v235 = (v234 + 3032481792u);
+      let v236 = f32(bitcast<i32>(v235));
+      let v237 = (v232 - v236);
+      let v238 = (v237 >= 0.5f);
+      let v239 = select(0u, 1u, v238);
+      let v240 = (v22 + 4u);
+      let v241 = (v240 + v235);
+      let v242 = (v241 + v239);
+      let v639 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v242)));
+      let v640 = bitcast<u32>(max(bitcast<i32>(v639), bitcast<i32>(4294967295u)));
+      p245 = v640;
+    } else {
+      p245 = 4294967294u;
+    }
+    let v245 = p245;
+    r1[4u] = v245;
+    let v247 = !(v612 < 0.0f);
+    if v247 {
+      let v248 = (v612 == bitcast<f32>(bits_7f800000));
+      let v642 = r2[0u][2u];
+      let v643 = bitcast<f32>(v642);
+      let v250 = (v612 + -1.0f);
+      let v251 = (v250 / v612);
+      let v252 = (v251 * v643);
+      let v253 = select(v252, v643, v248);
+      let v254 = (v253 > -1048576.0f);
+      let v255 = select(-1048576.0f, v253, v254);
+      let v256 = (v255 < 1048576.0f);
+      let v257 = select(1048576.0f, v255, v256);
+      let v258 = (v257 + 12582912.0f);
+      let v259 = bitcast<u32>(v258);
+      let v260 = (v259 + 3032481792u);
+      let v261 = f32(bitcast<i32>(v260));
+      let v262 = (v257 - v261);
+      let v263 = (v262 >= 0.5f);
+      let v264 = select(0u, 1u, v263);
+      let v265 = (v22 + 5u);
+      let v266 = (v265 + v260);
+      let v267 = (v266 + v264);
+      let v644 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v267)));
+      let v645 = bitcast<u32>(max(bitcast<i32>(v644), bitcast<i32>(4294967295u)));
+      p270 = v645;
+    } else {
+      p270 = 4294967294u;
+    }
+    let v270 = p270;
+    r1[5u] = v270;
+    let v272 = !(v614 < 0.0f);
+    if v272 {
+      let v273 = (v614 == bitcast<f32>(bits_7f800000));
+      let v647 = r2[0u][2u];
+      let v648 = bitcast<f32>(v647);
+      let v275 = (v614 + -1.0f);
+      let v276 = (v275 / v614);
+      let v277 = (v276 * v648);
+      let v278 = select(v277, v648, v273);
+      let v279 = (v278 > -1048576.0f);
+      let v280 = select(-1048576.0f, v278, v279);
+      let v281 = (v280 < 1048576.0f);
+      let v282 = select(1048576.0f, v280, v281);
+      let v283 = (v282 + 12582912.0f);
+      let v284 = bitcast<u32>(v283);
+      let v285 = (v284 + 3032481792u);
+      let v286 = f32(bitcast<i32>(v285));
+      let v287 = (v282 - v286);
+      let v288 = (v287 >= 0.5f);
+      let v289 = select(0u, 1u, v288);
+      let v290 = (v22 + 6u);
+      let v291 = (v290 + v285);
+      let v292 = (v291 + v289);
+      let v649 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v292)));
+      let v650 = bitcast<u32>(max(bitcast<i32>(v649), bitcast<i32>(4294967295u)));
+      p295 = v650;
+    } else {
+      p295 = 4294967294u;
+    }
+    let v295 = p295;
+    r1[6u] = v295;
+    let v297 = !(v616 < 0.0f);
+    if v297 {
+      let v298 = (v616 == bitcast<f32>(bits_7f800000));
+      let v652 = r2[0u][2u];
+      let v653 = bitcast<f32>(v652);
+      let v300 = (v616 + -1.0f);
+      let v301 = (v300 / v616);
+      let v302 = (v301 * v653);
+      let v303 = select(v302, v653, v298);
+      let v304 = (v303 > -1048576.0f);
+      let v305 = select(-1048576.0f, v303, v304);
+      let v306 = (v305 < 1048576.0f);
+      let v307 = select(1048576.0f, v305, v306);
+      let v308 = (v307 + 12582912.0f);
+      let v309 = bitcast<u32>(v308);
+      let v310 = (v309 + 3032481792u);
+      let v311 = f32(bitcast<i32>(v310));
+      let v312 = (v307 - v311);
+      let v313 = (v312 >= 0.5f);
+      let v314 = select(0u, 1u, v313);
+      let v315 = (v22 + 7u);
+      let v316 = (v315 + v310);
+      let v317 = (v316 + v314);
+      let v654 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v317)));
+      let v655 = bitcast<u32>(max(bitcast<i32>(v654), bitcast<i32>(4294967295u)));
+      p320 = v655;
+    } else {
+      p320 = 4294967294u;
+    }
+    let v320 = p320;
+    r1[7u] = v320;
+    let v322 = (v22 < v26);
+    if v322 {
+      p324 = v22;
+      var done2 = false;
+      loop {
+        if done2 { break; }
+        let v324 = p324;
+        let v325 = (v324 - v22);
+        let v657 = r1[v325];
+        let v330 = (v657 == 4294967294u);
+        if v330 {
+          let v338 = (v324 + 1u);
+          let v339 = (v338 == v26);
+          p331 = v338;
+          p323 = v26;
+          p333 = v339;
+        } else {
+          p323 = v324;
+          p333 = true;
+        }
+        let v331 = p331;
+        let v333 = p333;
+        p324 = v331;
+        done2 = v333;
+      }
+    } else {
+      p323 = v22;
+    }
+    let v323 = p323;
+    let v334 = (v323 == v26);
+    let v335 = (v26 < v525);
+    let v336 = (v335 & v334);
+    let v337 = (v336 != true);
+    if v337 {
+      let v341 = (v525 * v519);
+      p343 = v22;
       var done3 = false;
       loop {
         if done3 { break; }
-        let v211 = p211;
-        let v212 = (v211 - v23);
-        let v573 = r2[v212];
-        let v217 = (v573 == 4294967294u);
-        if v217 {
-          let v224 = (v211 + 1u);
-          let v225 = (v224 == v27);
-          p405 = v224;
-          p406 = false;
-          p407 = v225;
-        } else {
-          p406 = true;
-          p407 = true;
-        }
-        let v405 = p405;
-        let v406 = p406;
-        let v407 = p407;
-        let v408 = (v406 != true);
-        p211 = v405;
-        p208 = v211;
-        p595 = v408;
-        done3 = v407;
-      }
-      let v595 = p595;
-      if v595 {
-        p227 = true;
-        p219 = false;
-      } else {
-        p227 = false;
-        p219 = true;
-      }
-      let v219 = p219;
-      if v219 {
-        p210 = true;
-      } else {
-        p208 = v27;
-        p210 = false;
-      }
-    } else {
-      p208 = v23;
-      p227 = false;
-      p210 = true;
-    }
-    let v208 = p208;
-    let v210 = p210;
-    if v210 {
-      let v222 = (v208 == v27);
-      let v223 = (v222 != true);
-      p229 = v223;
-      p227 = v222;
-    } else {
-      p229 = false;
-    }
-    let v227 = p227;
-    if v227 {
-      let v228 = (v27 >= v458);
-      p229 = v228;
-    }
-    let v229 = p229;
-    if v229 {
-      let v231 = (v458 * v452);
-      let v232 = (v118 ^ v117);
-      p233 = v23;
-      var done4 = false;
-      loop {
-        if done4 { break; }
-        let v233 = p233;
-        let v234 = (v233 != 0u);
-        if v234 {
-          let v235 = (v233 + 4294967295u);
-          let v236 = (v235 < v458);
-          if v236 {
-            let v574 = r3[0u][3u];
-            let v244 = (v574 == 0u);
-            let v245 = (v244 != true);
-            let v246 = (v458 - v233);
-            let v247 = select(v246, v235, v244);
-            let v248 = (v247 + v231);
-            let v575 = (v248 * 2u);
-            let v576 = r4[v575];
-            let v577 = bitcast<f32>(v576);
-            let v253 = (v577 == bitcast<f32>(bits_7f800000));
-            let v254 = (v577 + -1.0f);
-            let v255 = (v254 / v577);
-            let v256 = (v559 * v255);
-            let v257 = select(v256, v559, v253);
-            if v109 {
-              let v578 = r3[3u][0u];
-              let v259 = (v578 + v452);
-              let v260 = (v259 ^ v232);
-              let v261 = (v260 >> (16u & 31u));
-              let v262 = (v261 ^ v260);
-              let v263 = (v262 * 2146121005u);
-              let v264 = (v263 >> (15u & 31u));
-              let v265 = (v264 ^ v263);
-              let v266 = (v265 * 2221713035u);
-              let v267 = (v266 >> (16u & 31u));
-              let v268 = (v267 ^ v266);
-              if v245 {
-                let v284 = (v268 ^ v246);
-                let v285 = (v284 >> (16u & 31u));
-                let v286 = (v285 ^ v284);
-                let v287 = (v286 * 2146121005u);
-                let v288 = (v287 >> (15u & 31u));
-                let v289 = (v288 ^ v287);
-                let v290 = (v289 * 2221713035u);
-                let v291 = (v290 >> (16u & 31u));
-                let v292 = (v290 & 65535u);
-                let v293 = (v292 ^ v291);
-                let v294 = f32(v293);
-                let v295 = (v294 * 1.5258789e-5f);
-                let v296 = (v295 + -0.49999237f);
-                let v297 = -(v296);
-                p269 = v297;
-                p270 = false;
-              } else {
-                p270 = true;
-              }
-              let v269 = p269;
-              let v270 = p270;
-              if v270 {
-                let v271 = (v268 ^ v235);
-                let v272 = (v271 >> (16u & 31u));
-                let v273 = (v272 ^ v271);
-                let v274 = (v273 * 2146121005u);
-                let v275 = (v274 >> (15u & 31u));
-                let v276 = (v275 ^ v274);
-                let v277 = (v276 * 2221713035u);
-                let v278 = (v277 >> (16u & 31u));
-                let v279 = (v277 & 65535u);
-                let v280 = (v279 ^ v278);
-                let v281 = f32(v280);
-                let v282 = (v281 * 1.5258789e-5f);
-                let v283 = (v282 + -0.49999237f);
-                p299 = v283;
-              } else {
-                p299 = v269;
-              }
-              let v299 = p299;
-              let v300 = (v257 + v299);
-              p599 = v300;
-            } else {
-              p599 = v257;
-            }
-            let v305 = (v577 < 0.0f);
-            p596 = false;
-            p303 = 4294967294u;
-            p304 = v305;
+        let v343 = p343;
+        let v344 = (v343 != 0u);
+        if v344 {
+          let v345 = (v343 + 4294967295u);
+          let v346 = (v345 < v525);
+          let v347 = (v346 != true);
+          if v346 {
+            let v658 = r2[0u][3u];
+            let v355 = (v658 == 0u);
+            let v356 = (v525 - v343);
+            let v357 = select(v356, v345, v355);
+            let v358 = (v357 + v341);
+            let v659 = (v358 * 2u);
+            let v660 = r3[v659];
+            let v661 = bitcast<f32>(v660);
+            let v363 = (v661 < 0.0f);
+            p680 = false;
+            p683 = v661;
+            p387 = 4294967294u;
+            p388 = v363;
           } else {
-            p596 = true;
-            p303 = v458;
-            p304 = true;
+            p680 = true;
+            p387 = v525;
+            p388 = v347;
           }
-          let v303 = p303;
-          let v304 = p304;
-          if v304 {
-            let v306 = (v303 != 4294967294u);
-            p596 = true;
-            p324 = v303;
-            p242 = v306;
+          let v387 = p387;
+          let v388 = p388;
+          if v388 {
+            let v389 = (v387 != 4294967294u);
+            p680 = true;
+            p392 = v387;
+            p353 = v389;
           } else {
-            p324 = 4294967295u;
-            p242 = true;
+            p392 = 4294967295u;
+            p353 = true;
           }
-          p237 = v235;
-          p598 = v235;
+          p348 = v345;
+          p682 = v345;
         } else {
-          p596 = true;
-          p324 = 4294967295u;
-          p242 = true;
+          p680 = true;
+          p392 = 4294967295u;
+          p353 = true;
         }
-        let v237 = p237;
-        let v242 = p242;
-        p233 = v237;
-        done4 = v242;
+        let v348 = p348;
+        let v353 = p353;
+        p343 = v348;
+        done3 = v353;
       }
-      let v596 = p596;
-      let v598 = p598;
-      let v599 = p599;
-      let v412 = (v596 != true);
-      if v412 {
-        let v307 = (v599 > -1048576.0f);
-        let v308 = select(-1048576.0f, v599, v307);
-        let v309 = (v308 < 1048576.0f);
-        let v310 = select(1048576.0f, v308, v309);
-        let v311 = (v310 + 12582912.0f);
-        let v312 = bitcast<u32>(v311);
-        let v313 = (v312 + 3032481792u);
-        let v314 = f32(bitcast<i32>(v313));
-        let v315 = (v310 - v314);
-        let v316 = (v315 >= 0.5f);
-        let v317 = select(0u, 1u, v316);
-        let v318 = (v313 + v598);
-        let v319 = (v318 + v317);
-        let v579 = bitcast<u32>(min(bitcast<i32>(v458), bitcast<i32>(v319)));
-        let v580 = bitcast<u32>(max(bitcast<i32>(v579), bitcast<i32>(4294967295u)));
-        p322 = v580;
-        p323 = false;
+      let v680 = p680;
+      let v682 = p682;
+      let v683 = p683;
+      let v476 = (v680 != true);
+      if v476 {
+        let v364 = (v683 == bitcast<f32>(bits_7f800000));
+        let v662 = r2[0u][2u];
+        let v663 = bitcast<f32>(v662);
+        let v366 = (v683 + -1.0f);
+        let v367 = (v366 / v683);
+        let v368 = (v367 * v663);
+        let v369 = select(v368, v663, v364);
+        let v370 = (v369 > -1048576.0f);
+        let v371 = select(-1048576.0f, v369, v370);
+        let v372 = (v371 < 1048576.0f);
+        let v373 = select(1048576.0f, v371, v372);
+        let v374 = (v373 + 12582912.0f);
+        let v375 = bitcast<u32>(v374);
+        let v376 = (v375 + 3032481792u);
+        let v377 = f32(bitcast<i32>(v376));
+        let v378 = (v373 - v377);
+        let v379 = (v378 >= 0.5f);
+        let v380 = select(0u, 1u, v379);
+        let v381 = (v376 + v682);
+        let v382 = (v381 + v380);
+        let v664 = bitcast<u32>(min(bitcast<i32>(v525), bitcast<i32>(v382)));
+        let v665 = bitcast<u32>(max(bitcast<i32>(v664), bitcast<i32>(4294967295u)));
+        p390 = v665;
+        p391 = false;
       } else {
-        p323 = true;
+        p391 = true;
       }
-      let v322 = p322;
-      let v323 = p323;
-      if !v323 {
-        p324 = v322;
+      let v390 = p390;
+      let v391 = p391;
+      if !v391 {
+        p392 = v390;
       }
-      let v324 = p324;
-      let v325 = (v208 < v27);
-      if v325 {
-        p337 = v324;
-        p338 = v208;
-        var done5 = false;
+      let v392 = p392;
+      let v393 = (v323 < v26);
+      if v393 {
+        p405 = v392;
+        p406 = v323;
+        var done4 = false;
         loop {
-          if done5 { break; }
-          let v337 = p337;
-          let v338 = p338;
-          let v339 = (v338 - v23);
-          let v581 = r2[v339];
-          let v344 = (v581 != 4294967294u);
-          if v344 {
-            let v363 = (v337 + 1u);
-            let v582 = r3[2u][0u];
-            let v365 = (v582 != 0u);
-            let v366 = (bitcast<i32>(v363) < bitcast<i32>(v581));
-            let v367 = (v366 & v365);
-            if v367 {
-              let v369 = (bitcast<i32>(v581) < bitcast<i32>(v458));
-              let v370 = select(0u, 1u, v369);
-              p372 = v370;
+          if done4 { break; }
+          let v405 = p405;
+          let v406 = p406;
+          let v407 = (v406 - v22);
+          let v666 = r1[v407];
+          let v412 = (v666 != 4294967294u);
+          if v412 {
+            let v431 = (v405 + 1u);
+            let v667 = r2[2u][0u];
+            let v433 = (v667 != 0u);
+            let v434 = (bitcast<i32>(v431) < bitcast<i32>(v666));
+            let v435 = (v434 & v433);
+            if v435 {
+              let v437 = (bitcast<i32>(v666) < bitcast<i32>(v525));
+              let v438 = select(0u, 1u, v437);
+              p440 = v438;
             } else {
-              p372 = 0u;
+              p440 = 0u;
             }
-            let v372 = p372;
-            let v373 = (v372 + v581);
-            let v374 = (bitcast<i32>(v363) < bitcast<i32>(v373));
-            if v374 {
-              let v375 = (v338 + 1u);
-              p376 = v363;
-              var done6 = false;
+            let v440 = p440;
+            let v441 = (v440 + v666);
+            let v442 = (bitcast<i32>(v431) < bitcast<i32>(v441));
+            if v442 {
+              let v443 = (v406 + 1u);
+              p444 = v431;
+              var done5 = false;
               loop {
-                if done6 { break; }
-                let v376 = p376;
-                let v585 = r3[0u][3u];
-                let v380 = (v585 == 0u);
-                let v381 = (v376 ^ 4294967295u);
-                let v382 = (v458 + v381);
-                let v383 = select(v382, v376, v380);
-                let v384 = (v383 + v231);
-                let v586 = atomicMax(&r6[v384], v375);
-                let v389 = (v376 + 1u);
-                let v390 = (v389 == v373);
-                p376 = v389;
-                done6 = v390;
+                if done5 { break; }
+                let v444 = p444;
+                let v670 = r2[0u][3u];
+                let v448 = (v670 == 0u);
+                let v449 = (v444 ^ 4294967295u);
+                let v450 = (v525 + v449);
+                let v451 = select(v450, v444, v448);
+                let v452 = (v451 + v341);
+                let v671 = atomicMax(&r5[v452], v443);
+                let v457 = (v444 + 1u);
+                let v458 = (v457 == v441);
+                p444 = v457;
+                done5 = v458;
               }
             }
-            let v392 = (v581 < v458);
-            if v392 {
-              let v588 = r3[0u][3u];
-              let v395 = (v588 == 0u);
-              let v396 = (v581 ^ 4294967295u);
-              let v397 = (v458 + v396);
-              let v398 = select(v397, v581, v395);
-              let v399 = (v398 + v231);
-              let v403 = (v338 + 1u);
-              let v589 = atomicMax(&r5[v399], v403);
+            let v460 = (v666 < v525);
+            if v460 {
+              let v673 = r2[0u][3u];
+              let v463 = (v673 == 0u);
+              let v464 = (v666 ^ 4294967295u);
+              let v465 = (v525 + v464);
+              let v466 = select(v465, v666, v463);
+              let v467 = (v466 + v341);
+              let v471 = (v406 + 1u);
+              let v674 = atomicMax(&r4[v467], v471);
             }
-            p371 = v581;
+            p439 = v666;
           } else {
-            p371 = v337;
+            p439 = v405;
           }
-          let v371 = p371;
-          let v361 = (v338 + 1u);
-          let v362 = (v361 == v27);
-          p337 = v371;
-          p338 = v361;
-          p335 = v371;
-          done5 = v362;
+          let v439 = p439;
+          let v429 = (v406 + 1u);
+          let v430 = (v429 == v26);
+          p405 = v439;
+          p406 = v429;
+          p403 = v439;
+          done4 = v430;
         }
       } else {
-        p335 = v324;
+        p403 = v392;
       }
-      let v335 = p335;
-      let v330 = (v27 == v458);
-      if v330 {
-        let v331 = (v335 + 1u);
-        let v332 = (bitcast<i32>(v331) < bitcast<i32>(v27));
-        if v332 {
-          let v334 = (v27 + 1u);
-          p345 = v331;
-          p346 = v335;
-          var done7 = false;
+      let v403 = p403;
+      let v398 = (v26 == v525);
+      if v398 {
+        let v399 = (v403 + 1u);
+        let v400 = (bitcast<i32>(v399) < bitcast<i32>(v26));
+        if v400 {
+          let v402 = (v26 + 1u);
+          p413 = v399;
+          p414 = v403;
+          var done6 = false;
           loop {
-            if done7 { break; }
-            let v345 = p345;
-            let v346 = p346;
-            let v592 = r3[0u][3u];
-            let v350 = (v592 == 0u);
-            let v351 = (v458 - v346);
-            let v352 = (v351 + 4294967294u);
-            let v353 = select(v352, v345, v350);
-            let v354 = (v353 + v231);
-            let v593 = atomicMax(&r6[v354], v334);
-            let v359 = (v345 + 1u);
-            let v360 = (v359 == v27);
-            p345 = v359;
-            p346 = v345;
-            done7 = v360;
+            if done6 { break; }
+            let v413 = p413;
+            let v414 = p414;
+            let v677 = r2[0u][3u];
+            let v418 = (v677 == 0u);
+            let v419 = (v525 - v414);
+            let v420 = (v419 + 4294967294u);
+            let v421 = select(v420, v413, v418);
+            let v422 = (v421 + v341);
+            let v678 = atomicMax(&r5[v422], v402);
+            let v427 = (v413 + 1u);
+            let v428 = (v427 == v26);
+            p413 = v427;
+            p414 = v413;
+            done6 = v428;
           }
         }
       }

@@ -20,7 +20,7 @@ pub fn carry(
         let word = words.at(first + x);
         if is_reused(word) {
             let primary = (kind(word) == VERIFIED) as u32;
-            let rays = RayCounts { primary, shadow: 0, reflected: 0, refracted: 0 };
+            let rays = RayCounts { primary, ..RayCounts::NONE };
             samples.put(first + x, Sample { rays, ..source_samples.at(first + column(word)) });
         }
     }

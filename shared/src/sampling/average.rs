@@ -90,7 +90,7 @@ pub fn rays(
 ) -> RayCounts {
     let [columns_of_pixel, rows_of_pixel] = own_points(lattice, x, y);
     let first = (y * columns(lattice) + x) * lattice.per_pixel;
-    let mut total = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
+    let mut total = RayCounts::NONE;
     let mut down = 0;
     while down < rows_of_pixel {
         let mut right = 0;

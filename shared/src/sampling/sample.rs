@@ -24,7 +24,7 @@ pub fn inferred(
     seen: impl Fn(u32) -> u32,
 ) -> Sample {
     let local = shadow::shade(scene, surface, dir, seen);
-    let counts = RayCounts { primary: verified as u32, shadow: 0, reflected: 0, refracted: 0 };
+    let counts = RayCounts { primary: verified as u32, ..RayCounts::NONE };
     with_bounces(scene, surface, dir, local, counts)
 }
 

@@ -41,7 +41,7 @@ struct Pending {
 /// own light. What is behind a ray of too little weight (1/1024) counts as black.
 #[inline(always)]
 pub fn light_from(scene: &SceneView<'_>, seen: &Surface, dir: Vec3) -> (Vec3, RayCounts) {
-    let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
+    let mut counts = RayCounts::NONE;
     if !scene.effects.has(Effects::REFLECTION) || seen.prim_id == NONE {
         return (Vec3::ZERO, counts);
     }

@@ -20,7 +20,7 @@ pub fn words(lights: u32) -> u32 {
 /// none. Returns the number of rays.
 #[inline(always)]
 pub fn trace(scene: &SceneView<'_>, surface: &Surface, mut put: impl FnMut(u32, u32)) -> RayCounts {
-    let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
+    let mut counts = RayCounts::NONE;
     let lit = scene.effects.has(Effects::LIGHTS)
         && surface.prim_id != NONE
         && light::is_lit(&light::material_of(scene, surface));
@@ -50,7 +50,7 @@ pub fn direct(
     dir: Vec3,
     mut note: impl FnMut(u32, u32),
 ) -> (Vec3, RayCounts) {
-    let mut counts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
+    let mut counts = RayCounts::NONE;
     if surface.prim_id == NONE {
         return (sky::colour(scene, dir), counts);
     }

@@ -62,7 +62,7 @@ impl<'a> Run<'a> {
         let t = self.depths(hits);
         let mut targets = [0; RUN as usize];
         for lane in 0..RUN as usize {
-            targets[lane] = target(self.p, t[lane], self.first + lane as u32, self.row);
+            targets[lane] = target(self.p, t[lane], self.first + lane as u32);
         }
         targets
     }
@@ -161,7 +161,7 @@ pub fn overwrite(entry: &AtomicU32, key: u32) {
 /// Where column `x` of `row` lands; column w, which there is not, on w.
 #[inline(always)]
 pub fn landing(p: &Reprojection, hits: &[Hit], x: u32, row: u32) -> i32 {
-    if x < p.width { target(p, hits.at_ref(pixel(p, x, row)).t, x, row) } else { p.width as i32 }
+    if x < p.width { target(p, hits.at_ref(pixel(p, x, row)).t, x) } else { p.width as i32 }
 }
 
 /// How many columns there are up to the last one before `end` that was sampled, and where it lands: 0 and −1 when none was.

@@ -11,7 +11,7 @@ use crate::metrics;
 use crate::render::band::{Band, EYES, Pair};
 use crate::render::stereo::Plan;
 use crate::render::stereo::statistics::{StereoReport, StereoStatistics};
-use crate::render::{Method, RenderError, Renderer, SceneData, StereoOptions, Verify};
+use crate::render::{Method, RenderError, Renderer, SceneData, StageTime, StereoOptions, Verify};
 use parallax_shared::layout::Hit;
 use std::collections::BTreeMap;
 
@@ -36,6 +36,19 @@ struct Measured {
     cost: Vec<f64>,
     /// Seconds of each of its stages over the mono seconds, by repetition.
     stages: BTreeMap<&'static str, Vec<f64>>,
+}
+
+impl Measured {
+    /// Adds a run. `views` are the names of the source and of the second view.
+    fn add(&mut self, times: &[StageTime], views: [&str; 2]) {
+        let of = |view| times.iter().filter(move |time| time.view == Some(view));
+        let [mono, second] = views.map(|view| of(view).map(|time| time.seconds).sum::<f64>());
+        self.mono.push(mono);
+        self.cost.push(second / mono);
+        for time in of(views[1]) {
+            self.stages.entry(time.stage).or_default().push(time.seconds / mono);
+        }
+    }
 }
 
 /// A method with the options that it does not have by itself.
@@ -119,7 +132,7 @@ fn qualities(cpu: &mut Cpu, case: &Case<'_>) -> Result<Vec<Vec<Quality>>, Render
     };
     let Some((reference, others)) = case.methods.split_first() else { return Ok(vec![]) };
     let (_, naive) = pair(reference)?;
-    let truth = Picture { colours: metrics::srgb8(naive.second.colour()), hits: naive.second.hits() };
+    let truth = Picture { colours: metrics::srgb8(naive.second.colour()), hits: &naive.second.hits };
     let mut qualities = vec![vec![]];
     for options in others {
         let (plan, pair) = pair(options)?;
@@ -155,20 +168,9 @@ fn times(
     // The first round warms caches and buffers up.
     for round in 0..=case.repetitions {
         for ((plan, buffers), measured) in plans.iter().zip(&buffers).zip(&mut measured) {
-            let before = renderer.times().to_vec();
-            let [mono, second] = renderer.time_pair(plan, buffers, band)?;
-            if round == 0 {
-                continue;
-            }
-            measured.mono.push(mono);
-            measured.cost.push(second / mono);
-            let view = EYES[plan.options.first.eyes()[1]];
-            for time in renderer.times().iter().filter(|time| time.view == Some(view)) {
-                let earlier = before.iter().find(|t| (t.view, t.stage) == (time.view, time.stage));
-                let seconds = time.seconds - earlier.map_or(0.0, |time| time.seconds);
-                if seconds > 0.0 {
-                    measured.stages.entry(time.stage).or_default().push(seconds / mono);
-                }
+            let times = renderer.time_pair(plan, buffers, band)?;
+            if round > 0 {
+                measured.add(&times, plan.options.first.eyes().map(|eye| EYES[eye]));
             }
         }
         progress(round as u64, case.repetitions as u64);
@@ -186,7 +188,7 @@ struct Picture<'a> {
 /// How far the second view is from the traced one.
 fn quality(data: &SceneData, pair: &Pair, truth: &Picture<'_>) -> Vec<Quality> {
     let e = data.views[0].interaxial_px;
-    let (shown, hits) = (&metrics::srgb8(pair.second.colour()), pair.second.hits());
+    let (shown, hits) = (&metrics::srgb8(pair.second.colour()), &pair.second.hits[..]);
     let (share, distance) = metrics::differing(shown, &truth.colours);
     let [same, nearer, farther] = metrics::error_shares(e, (shown, hits), (&truth.colours, truth.hits));
     vec![
@@ -202,7 +204,7 @@ fn quality(data: &SceneData, pair: &Pair, truth: &Picture<'_>) -> Vec<Quality> {
 
 /// What was reused, traced and saved; nothing of methods that do not infer the second view.
 fn counts(data: &SceneData, plan: &Plan, pair: &Pair) -> Vec<Quality> {
-    let Some(statistics) = StereoStatistics::of_band(plan, pair) else { return vec![] };
+    let Some(statistics) = StereoStatistics::of_band(pair) else { return vec![] };
     let report = StereoReport::new(data, plan, &statistics);
     let share = |count: u64| 100.0 * count as f64 / statistics.pixels.max(1) as f64;
     vec![

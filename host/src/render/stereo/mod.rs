@@ -8,13 +8,14 @@ pub mod overlap;
 pub mod savings;
 pub mod second;
 pub mod statistics;
-mod tables;
+pub(super) mod tables;
 mod unseen;
 
 use super::band::BandBuffers;
 use super::buffers::SceneBuffers;
 use super::method::{Method, Reflections, Shadows, StereoOptions, Verify};
 use super::renderer::Stages;
+use super::sampling::Grid;
 use super::{RenderError, SceneData};
 use crate::backend::{Backend, BackendError};
 use kernel_api::Buffer;
@@ -39,44 +40,60 @@ pub struct Plan {
     reprojection: Reprojection,
     /// Whether surfaces and hits of all pixels are wanted, and not only their colours.
     pub everything: bool,
+    /// Where a pixel has several rays: their places.
+    pub(super) grid: Option<Grid>,
 }
 
 impl Plan {
     /// How pairs of `data` are rendered.
     ///
     /// # Errors
-    /// When the options do not go together.
+    /// When the options do not go together, or a picture has too many points.
     pub fn new(data: &SceneData, options: &StereoOptions, everything: bool) -> Result<Self, RenderError> {
         options.check()?;
+        let grid = options.samples.grid();
         let [source, _] = options.first.eyes();
-        let View { width, interaxial_px, .. } = data.views[source];
+        // The picture whose columns are reprojected: of pixels, or of points.
+        let moved = match grid {
+            Some(grid) if !grid.aims => grid.checked_view(&data.views[source])?,
+            _ => data.views[source],
+        };
+        let checked_from = match options.method.reuses() {
+            true => unseen::checked_from(data, source),
+            false => data.views[source].width,
+        };
         let reprojection = Reprojection {
-            width,
+            width: moved.width,
             rows: 0,
-            interaxial_px,
+            interaxial_px: moved.interaxial_px,
             mirrored: source as u32,
             verify: match options.verify() {
                 Verify::None => VERIFY_NONE,
                 Verify::Edges => VERIFY_EDGES,
                 Verify::All => VERIFY_ALL,
             },
-            checked_from: unseen::checked_from(data, source),
-            depth: tables::depth(data, options),
+            checked_from: match grid {
+                Some(grid) if !grid.aims => grid.column_of(checked_from, &data.views[source]),
+                _ => checked_from,
+            },
+            depth: tables::depth(data, options, &moved),
             exclusive: tables::is_exclusive(options).into(),
-            inclusive: 0,
-            keep_hits: everything.into(),
-            copies: options.copies_colours(data).into(),
-            jitter_seed: 0,
-            first_row: 0,
-            sparse: 0,
-            padding: [0; 2],
+            inclusive: grid.is_some_and(|grid| grid.aims).into(),
+            keep_hits: (everything && grid.is_none()).into(),
+            copies: (options.copies_colours(data) && grid.is_none()).into(),
+            sparse: grid.is_some_and(|grid| grid.levels > 0).into(),
         };
-        Ok(Self { options: *options, reprojection, everything })
+        Ok(Self { options: *options, reprojection, everything, grid })
     }
 
-    /// For a band of so many rows.
+    /// For a band of so many rows, of pixels or of points.
     pub fn of_band(&self, rows: u32) -> Reprojection {
         Reprojection { rows, ..self.reprojection }
+    }
+
+    /// For the picture, without rows.
+    pub fn of_picture(&self) -> &Reprojection {
+        &self.reprojection
     }
 
     /// Whether the light that points of the source see is theirs in the second view, too.

@@ -21,11 +21,11 @@ impl Overlap {
     pub fn of_band(p: &Reprojection, hits: &[Hit]) -> Self {
         let mut overlap = Self::default();
         let mut sources = vec![0_u32; p.width as usize];
-        for (number, row) in (0..).zip(hits.chunks_exact(p.width as usize)) {
+        for row in hits.chunks_exact(p.width as usize) {
             sources.fill(0);
             for x in 0..p.width {
                 let column = if p.mirrored == 0 { x } else { p.width - 1 - x };
-                let landing = target(p, row[column as usize].t, x, number);
+                let landing = target(p, row[column as usize].t, x);
                 if let Some(sources) = usize::try_from(landing).ok().and_then(|x| sources.get_mut(x)) {
                     *sources += 1;
                     overlap.landed += 1;

@@ -1,53 +1,30 @@
 //! The outputs of the passes over the second view of a band.
 
+use super::overlap::Overlap;
 use super::tables::TableBuffers;
 use super::{Plan, bounces};
 use crate::backend::{Backend, BackendError};
 use crate::render::SceneData;
-use crate::render::band::{BounceBuffers, Bounced};
+use crate::render::band::{BounceBuffers, Values};
 use crate::render::method::{Method, Reflections};
 use kernel_api::Buffer;
 use parallax_shared::layout::{Hit, RayCounts, Surface, View};
 use parallax_shared::shading::shadow;
 use parallax_shared::stereo::source::{self, is_reused};
 
-/// What was made of the second view of a band: one element per pixel.
+/// How the second view of a band was made: one element per pixel, or per point of the lattice at which several rays a pixel are
+/// reprojected.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inferred {
-    /// The nearest source that lands on the pixel: its column (mirrored if the right eye is the source) plus 1, or 0.
+    /// The nearest source that lands there: its column (mirrored if the right eye is the source) plus 1, or 0.
     pub candidates: Vec<u32>,
-    /// The last gap over the pixel: the right one of its columns plus 1, or 0.
+    /// The last gap over it: the right one of its columns plus 1, or 0.
     pub gaps: Vec<u32>,
-    /// Where the pixel comes from: see [`parallax_shared::stereo::source`].
+    /// Where it comes from: see [`parallax_shared::stereo::source`].
     pub source: Vec<u32>,
-    /// What the pixel shows.
-    pub hits: Vec<Hit>,
-    /// What shading knows of it.
-    pub surfaces: Vec<Surface>,
-    /// Linear colour without reflection and refraction; the fourth word is 1.
-    pub local: Vec<[f32; 4]>,
-    /// Rays from the eye: one for each pixel that was traced or verified.
-    pub primary_rays: Vec<RayCounts>,
-    /// Rays to lights.
-    pub shadow_rays: Vec<RayCounts>,
-    /// What reflection and refraction add, in scenes that have any.
-    pub bounced: Option<Bounced>,
+    /// What of the source lands where.
+    pub overlap: Overlap,
 }
-
-impl Inferred {
-    /// The linear colour that is seen.
-    pub fn colour(&self) -> &[[f32; 4]] {
-        self.bounced.as_ref().map_or(&self.local, |bounced| &bounced.colour)
-    }
-
-    /// The rays that were traced, stage by stage.
-    pub fn rays(&self) -> impl Iterator<Item = &[RayCounts]> {
-        let bounced = self.bounced.iter().map(|bounced| &bounced.rays[..]);
-        [&self.primary_rays[..], &self.shadow_rays].into_iter().chain(bounced)
-    }
-}
-
-const NO_RAYS: RayCounts = RayCounts { primary: 0, shadow: 0, reflected: 0, refracted: 0 };
 
 /// The buffers of a second view that is not fully traced.
 #[derive(Clone, Copy)]
@@ -97,31 +74,42 @@ impl SecondBuffers {
         })
     }
 
-    /// Everything that the passes have written, of a plan that wants everything.
-    pub fn read<B: Backend>(&self, backend: &mut B) -> Result<Inferred, BackendError> {
-        let source = backend.read(self.source)?;
+    /// Everything that the passes have written, of a plan that wants everything: what the view shows, and how it was made from the
+    /// `source`.
+    pub fn read<B: Backend>(
+        &self,
+        backend: &mut B,
+        plan: &Plan,
+        source: &Values,
+    ) -> Result<(Values, Inferred), BackendError> {
+        let words = backend.read(self.source)?;
         let mut shadow_rays = backend.read(self.light_rays)?;
         if self.seen.is_none() {
             // Only traced pixels have counts.
-            shadow_rays
-                .iter_mut()
-                .zip(&source)
-                .filter(|(_, s)| is_reused(**s))
-                .for_each(|(r, _)| *r = NO_RAYS);
+            let reused = shadow_rays.iter_mut().zip(&words).filter(|(_, word)| is_reused(**word));
+            reused.for_each(|(rays, _)| *rays = RayCounts::NONE);
         }
-        let primary =
-            |&word: &u32| RayCounts { primary: u32::from(source::kind(word) != source::REUSED), ..NO_RAYS };
-        Ok(Inferred {
-            candidates: backend.read(self.tables.candidates)?,
-            gaps: backend.read(self.tables.gaps)?,
+        let primary = |&word: &u32| RayCounts {
+            primary: u32::from(source::kind(word) != source::REUSED),
+            ..RayCounts::NONE
+        };
+        let values = Values {
             hits: backend.read(self.hits)?,
             surfaces: self.surfaces.map_or(Ok(Vec::new()), |surfaces| backend.read(surfaces))?,
+            shadow: self.seen.map_or(Ok(Vec::new()), |seen| backend.read(seen))?,
+            shadow_words: source.shadow_words,
             local: backend.read(self.colours)?,
-            primary_rays: source.iter().map(primary).collect(),
+            primary_rays: words.iter().map(primary).collect(),
             shadow_rays,
             bounced: self.bounced.map(|bounced| bounced.read(backend)).transpose()?,
-            source,
-        })
+        };
+        let inferred = Inferred {
+            candidates: backend.read(self.tables.candidates)?,
+            gaps: backend.read(self.tables.gaps)?,
+            source: words,
+            overlap: Overlap::of_band(plan.of_picture(), &source.hits),
+        };
+        Ok((values, inferred))
     }
 
     /// Gives the memory back.

@@ -4,20 +4,19 @@
 use super::Plan;
 use super::overlap::{Overlap, lemma_bound};
 use super::savings::Surfaces;
-use super::second::Inferred;
-use crate::render::band::{Pair, Second, Values};
+use crate::render::band::Pair;
 use crate::render::{Depth, RayTotals, SceneData};
 use clap::ValueEnum;
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::RayCounts;
-use parallax_shared::stereo::source::{self, BAD, GAP, GUIDED, HOLE, REUSED, UNGUIDED, VERIFIED};
+use parallax_shared::stereo::source::{self, BAD, GAP, GUIDED, HOLE, REUSED, UNGUIDED, UNSAMPLED, VERIFIED};
 use serde::Serialize;
 use std::ops::AddAssign;
 
 /// Counts of a band or of a picture.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StereoStatistics {
-    /// Pixels of the second view.
+    /// Pixels of the second view, or points that were sampled where a pixel has several.
     pub pixels: u64,
     /// Pixels that the first view shows, without a ray.
     pub reused: u64,
@@ -45,18 +44,13 @@ pub struct StereoStatistics {
 
 impl StereoStatistics {
     /// Those of a band; `None` when the second view was not made from the first (`naive`, `ideal`).
-    pub fn of_band(plan: &Plan, pair: &Pair) -> Option<Self> {
-        match &pair.second {
-            Second::Traced(_) => None,
-            Second::Inferred(inferred) => Some(Self::of_views(plan, &pair.source, inferred)),
-        }
-    }
-
-    fn of_views(plan: &Plan, first: &Values, second: &Inferred) -> Self {
-        let count = |kind| second.source.iter().filter(|&&word| source::kind(word) == kind).count() as u64;
-        let p = plan.of_band(first.hits.len() as u32 / plan.of_band(0).width.max(1));
-        Self {
-            pixels: second.source.len() as u64,
+    pub fn of_band(pair: &Pair) -> Option<Self> {
+        let inferred = pair.inferred.as_ref()?;
+        let count = |kind| inferred.source.iter().filter(|&&word| source::kind(word) == kind).count() as u64;
+        let first = &pair.source;
+        let nearest_t = first.hits.iter().map(|hit| hit.t).filter(|t| t.is_finite()).min_by(f32::total_cmp);
+        Some(Self {
+            pixels: inferred.source.len() as u64 - count(UNSAMPLED),
             reused: count(REUSED),
             verified: count(VERIFIED),
             holes: count(HOLE),
@@ -64,11 +58,11 @@ impl StereoStatistics {
             bad: count(BAD),
             guided: count(GUIDED),
             unguided: count(UNGUIDED),
-            overlap: Overlap::of_band(&p, &first.hits),
-            nearest_t: first.hits.iter().map(|hit| hit.t).filter(|t| t.is_finite()).min_by(f32::total_cmp),
+            overlap: inferred.overlap,
+            nearest_t,
             first_rays: totals(first.rays()),
-            second_rays: totals(second.rays()),
-        }
+            second_rays: totals(pair.second.rays()),
+        })
     }
 
     /// Pixels for which a ray found the surface that they show.
@@ -178,7 +172,7 @@ impl StereoReport {
     /// What the picture of `data` tells that was made as `plan` says.
     pub fn new(data: &SceneData, plan: &Plan, statistics: &StereoStatistics) -> Self {
         let StereoStatistics { reused, verified, holes, gaps, bad, overlap, nearest_t, .. } = *statistics;
-        let (p, surfaces) = (plan.of_band(0), surfaces(data.effects));
+        let (p, surfaces) = (plan.of_picture(), surfaces(data.effects));
         let (first, second) = (&statistics.first_rays, &statistics.second_rays);
         let less = |first: u64, second: u64| first as i64 - second as i64;
         Self {

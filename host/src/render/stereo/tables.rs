@@ -16,9 +16,9 @@ use parallax_kernels::stereo::tables::Clear;
 use parallax_shared::layout::{Hit, Reprojection, View};
 use parallax_shared::stereo::run::RUN;
 
-/// How many slots a pixel has before the source is known: 0 for methods without, 1 where the source will tell.
-pub fn depth(data: &SceneData, options: &StereoOptions) -> u32 {
-    let View { width, interaxial_px, .. } = data.views[0];
+/// How many slots a pixel of the picture `moved` has before the source is known: 0 for methods without, 1 where the source will tell.
+pub fn depth(data: &SceneData, options: &StereoOptions, moved: &View) -> u32 {
+    let View { width, interaxial_px, .. } = *moved;
     match (options.method, options.depth) {
         (Method::Buffer, Depth::Lemma) => {
             lemma_bound(interaxial_px, unseen::nearest(data, options.first.eyes()[0])).min(width)
@@ -50,7 +50,7 @@ impl TableBuffers {
     pub fn create<B: Backend>(backend: &mut B, plan: &Plan, pixels: usize) -> Result<Self, BackendError> {
         let StereoOptions { method, depth, .. } = plan.options;
         let fixed = method == Method::Buffer && depth != Depth::Adaptive;
-        let slots = pixels * plan.of_band(0).depth as usize;
+        let slots = pixels * plan.of_picture().depth as usize;
         Ok(Self {
             candidates: backend.create("candidates", pixels)?,
             gaps: backend.create("gaps", pixels)?,

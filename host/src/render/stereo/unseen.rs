@@ -130,8 +130,8 @@ fn nearest_within(
     end: f64,
     columns: impl Fn(f64) -> Option<[f64; 2]>,
 ) -> Option<f64> {
-    let slices = std::iter::successors(Some(NEAREST), |t| Some(t * STEP)).take_while(|t| *t < end);
-    slices.into_iter().find(|&near| {
+    let mut slices = std::iter::successors(Some(NEAREST), |t| Some(t * STEP)).take_while(|t| *t < end);
+    slices.find(|&near| {
         columns(near).is_some_and(|columns| {
             meets_a_pack(data, view, &Slice::new(view, [near, (near * STEP).min(end)], columns))
         })
@@ -161,8 +161,8 @@ fn pack_meets(data: &SceneData, link: u32, slice: &Slice, padding: f64) -> bool 
         return true;
     }
     let numbers = data.rows[(link & ROW) as usize + NUMBERS].0;
-    let triangles = numbers.iter().filter_map(|&number| data.triangles.get(number as usize));
-    triangles.into_iter().any(|triangle| slice.meets(triangle, padding))
+    let mut triangles = numbers.iter().filter_map(|&number| data.triangles.get(number as usize));
+    triangles.any(|triangle| slice.meets(triangle, padding))
 }
 
 /// The boxes and links of the children of a node.
@@ -180,11 +180,11 @@ fn children(rows: &[Row], node: u32) -> impl Iterator<Item = (Bounds, u32)> {
 pub fn nearest(data: &SceneData, eye: usize) -> Option<f32> {
     let view = &data.views[eye];
     let columns = [-0.5, f64::from(view.width) - 0.5];
-    let found = nearest_within(data, view, FARTHEST, |_| Some(columns));
-    // Nearer than the first slice: there is no bound worth having.
-    let at_eye = || meets_a_pack(data, view, &Slice::new(view, [0.0, NEAREST], columns));
-    match found {
-        _ if at_eye() => Some(0.0),
+    if meets_a_pack(data, view, &Slice::new(view, [0.0, NEAREST], columns)) {
+        // Nearer than the first slice: there is no bound worth having.
+        return Some(0.0);
+    }
+    match nearest_within(data, view, FARTHEST, |_| Some(columns)) {
         Some(t) => Some(t as f32),
         None => (data.primitives() > 0).then_some(FARTHEST as f32),
     }
