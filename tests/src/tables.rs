@@ -10,6 +10,7 @@ use parallax_kernels::stereo::tables::Clear;
 use parallax_shared::camera;
 use parallax_shared::layout::{Hit, Reprojection};
 use parallax_shared::stereo::reprojection::shift_px;
+use parallax_shared::stereo::run::RUN;
 
 /// What makes tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,7 +51,7 @@ impl Producer {
     ) -> Result<Tables, BackendError> {
         let hits = backend.upload("hits", source)?;
         let [candidates, gaps] = [empty(backend, source.len())?, empty(backend, source.len())?];
-        let runs = [p.width.div_ceil(8), p.rows, 1];
+        let runs = [p.width.div_ceil(RUN), p.rows, 1];
         match self {
             Self::Splat => backend.run(&Splat { p, hits, candidates, gaps }, runs)?,
             Self::Shifts => {
@@ -84,7 +85,7 @@ impl Producer {
 
 fn empty<B: Backend>(backend: &mut B, len: usize) -> Result<kernel_api::Buffer<u32>, BackendError> {
     let table = backend.create("table", len)?;
-    backend.run(&Clear { table }, [table.len.div_ceil(8), 1, 1])?;
+    backend.run(&Clear { table }, [table.len.div_ceil(RUN), 1, 1])?;
     Ok(table)
 }
 

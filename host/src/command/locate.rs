@@ -1,7 +1,8 @@
 //! Where scenes are.
 
-use anyhow::{Result, anyhow};
-use parallax::scene::{MODELS_PREFIX, model_file};
+use super::failure::{Blame, Failure};
+use anyhow::{Context, anyhow};
+use parallax::scene::{self, MODELS_PREFIX, Scene, model_file};
 use std::path::{Path, PathBuf};
 
 /// The scene that is rendered when none is named.
@@ -12,7 +13,7 @@ const DEFAULT: &str = "default";
 ///
 /// # Errors
 /// When nothing of that name exists. What the file holds is not looked at.
-pub fn scene(named: Option<&Path>) -> Result<PathBuf> {
+pub fn scene(named: Option<&Path>) -> anyhow::Result<PathBuf> {
     let name = named.unwrap_or(Path::new(DEFAULT));
     if named.is_some() && name.exists() {
         return Ok(name.to_owned());
@@ -27,6 +28,11 @@ pub fn scene(named: Option<&Path>) -> Result<PathBuf> {
     let candidates = folders().into_iter().map(|folder| folder.join(name).with_extension("toml"));
     let missing = || anyhow!("{}: no such file, and no shipped scene of that name", name.display());
     candidates.into_iter().find(|path| path.is_file()).ok_or_else(missing)
+}
+
+/// Reads frame `frame` of a scene.
+pub fn load(path: &Path, frame: u32) -> Result<Scene, Failure> {
+    scene::load_frame(path, frame).with_context(|| format!("bad scene {}", path.display())).usage()
 }
 
 /// Folders that may hold the shipped scenes: of the source tree that this was built from, above the

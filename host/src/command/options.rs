@@ -2,13 +2,13 @@
 
 use super::failure::{Blame, Failure};
 use super::locate;
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 use parallax::backend::{Choice, Profile, Selection};
 use parallax::render::{
     Depth, First, Method, Overrides, Reflections, Samples, Shadows, StereoOptions, Verify,
 };
 use parallax::rig::DISPLAY_WIDTH;
-use parallax::scene::{self, Scene};
+use parallax::scene::Scene;
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -60,9 +60,7 @@ impl SceneOptions {
     pub fn load_frame(&self, frame: u32) -> Result<Loaded, Failure> {
         let started = Instant::now();
         let path = locate::scene(self.scene.as_deref()).usage()?;
-        let mut scene = scene::load_frame(&path, frame)
-            .with_context(|| format!("bad scene {}", path.display()))
-            .usage()?;
+        let mut scene = locate::load(&path, frame)?;
         let overrides = Overrides {
             size: self.size,
             interaxial_px: self.interaxial,

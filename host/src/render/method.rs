@@ -147,6 +147,11 @@ pub struct StereoOptions {
     pub samples: Samples,
 }
 
+/// What a value is called on the command line.
+pub fn value_name(value: &impl ValueEnum) -> String {
+    value.to_possible_value().map_or_else(String::new, |value| value.get_name().into())
+}
+
 impl From<Method> for StereoOptions {
     fn from(method: Method) -> Self {
         Self { method, ..Self::default() }

@@ -39,7 +39,7 @@ pub use buffers::SceneBuffers;
 pub use error::RenderError;
 pub use frame::{Frame, render};
 pub use images::{StereoImages, ViewImages};
-pub use method::{Depth, First, Method, Reflections, Shadows, StereoOptions, Verify};
+pub use method::{Depth, First, Method, Reflections, Shadows, StereoOptions, Verify, value_name};
 pub use overrides::{MAX_LIGHTS, MAX_PIXELS, Overrides};
 pub use rays::RayTotals;
 pub use renderer::Renderer;

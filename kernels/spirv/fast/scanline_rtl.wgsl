@@ -12,56 +12,56 @@ fn scanline_rtl(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) 
   var p32: u32;
   var p33: u32;
   var p47: u32;
-  var p93: u32;
-  var p94: bool;
+  var p97: u32;
+  var p98: bool;
   var p52: u32;
   var p58: bool;
-  var p165: u32;
-  var p166: bool;
-  var p168: u32;
-  var p169: u32;
-  var p170: f32;
-  var p96: u32;
-  var p97: bool;
-  var p98: u32;
-  var p112: u32;
+  var p171: u32;
+  var p172: bool;
+  var p174: u32;
+  var p175: u32;
+  var p176: f32;
+  var p100: u32;
+  var p101: bool;
+  var p102: u32;
+  var p116: u32;
   var p29: u32;
   var p30: u32;
   var p31: bool;
-  let v140 = global_invocation_id[0u];
-  let v146 = r1.w0;
-  let v17 = (v146 != 0u);
+  let v145 = global_invocation_id[0u];
+  let v151 = r1.w0;
+  let v17 = (v151 != 0u);
   if v17 {
-    let v18 = (v146 * v140);
+    let v18 = (v151 * v145);
     p23 = v18;
-    p24 = v146;
+    p24 = v151;
     var done0 = false;
     loop {
       if done0 { break; }
       let v23 = p23;
       let v24 = p24;
-      let v147 = r0[0u][1u];
-      let v26 = (v23 < v147);
+      let v152 = r0[0u][1u];
+      let v26 = (v23 < v152);
       if v26 {
-        let v148 = r0[0u][0u];
-        let v28 = (v148 * v23);
-        p32 = v148;
-        p33 = v148;
+        let v153 = r0[0u][0u];
+        let v28 = (v153 * v23);
+        p32 = v153;
+        p33 = v153;
         var done1 = false;
         loop {
           if done1 { break; }
           let v32 = p32;
           let v33 = p33;
-          let v34 = (v32 < v148);
+          let v34 = (v32 < v153);
           if v34 {
-            let v149 = r0[0u][3u];
-            let v36 = (v149 == 0u);
+            let v154 = r0[0u][3u];
+            let v36 = (v154 == 0u);
             let v37 = (v32 ^ 4294967295u);
-            let v38 = (v148 + v37);
+            let v38 = (v153 + v37);
             let v39 = select(v38, v32, v36);
             let v40 = (v39 + v28);
-            let v150 = atomicLoad(&r3[v40]);
-            let v45 = (v150 == 0u);
+            let v155 = atomicLoad(&r3[v40]);
+            let v45 = (v155 == 0u);
             if v45 {
               let v46 = (v33 + 1u);
               atomicStore(&r3[v40], v46);
@@ -75,137 +75,141 @@ fn scanline_rtl(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) 
             let v48 = (v47 != 0u);
             if v48 {
               let v49 = (v47 + 4294967295u);
-              let v51 = (v49 < v148);
+              let v51 = (v49 < v153);
               if v51 {
-                let v153 = r0[0u][3u];
-                let v61 = (v153 == 0u);
-                let v62 = (v148 - v47);
+                let v158 = r0[0u][3u];
+                let v61 = (v158 == 0u);
+                let v62 = (v153 - v47);
                 let v63 = select(v62, v49, v61);
                 let v64 = (v63 + v28);
-                let v154 = (v64 * 2u);
-                let v155 = r2[v154];
-                let v156 = bitcast<f32>(v155);
-                let v69 = (v156 < 0.0f);
-                p166 = false;
-                p170 = v156;
-                p93 = 4294967294u;
-                p94 = v69;
+                let v159 = (v64 * 2u);
+                let v160 = r2[v159];
+                let v161 = bitcast<f32>(v160);
+                let v162 = r0[2u][3u];
+                let v70 = (v162 == 0u);
+                let v71 = (v161 >= 0.0f);
+                let v72 = (v71 | v70);
+                let v73 = (v72 != true);
+                p172 = false;
+                p176 = v161;
+                p97 = 4294967294u;
+                p98 = v73;
               } else {
-                p166 = true;
-                p93 = v148;
-                p94 = true;
+                p172 = true;
+                p97 = v153;
+                p98 = true;
               }
-              let v93 = p93;
-              let v94 = p94;
-              if v94 {
-                let v95 = (v93 != 4294967294u);
-                p166 = true;
-                p98 = v93;
-                p58 = v95;
+              let v97 = p97;
+              let v98 = p98;
+              if v98 {
+                let v99 = (v97 != 4294967294u);
+                p172 = true;
+                p102 = v97;
+                p58 = v99;
               } else {
-                p98 = 4294967295u;
+                p102 = 4294967295u;
                 p58 = true;
               }
               p52 = v49;
-              p168 = v49;
-              p169 = v148;
+              p174 = v49;
+              p175 = v153;
             } else {
-              p166 = true;
-              p98 = 4294967295u;
+              p172 = true;
+              p102 = 4294967295u;
               p58 = true;
             }
             let v52 = p52;
             let v58 = p58;
             p47 = v52;
-            p165 = v47;
+            p171 = v47;
             done2 = v58;
           }
-          let v165 = p165;
-          let v166 = p166;
-          let v168 = p168;
-          let v169 = p169;
-          let v170 = p170;
-          let v132 = (v166 != true);
-          if v132 {
-            let v70 = (v170 == bitcast<f32>(bits_7f800000));
-            let v157 = r0[0u][2u];
-            let v158 = bitcast<f32>(v157);
-            let v72 = (v170 + -1.0f);
-            let v73 = (v72 / v170);
-            let v74 = (v73 * v158);
-            let v75 = select(v74, v158, v70);
-            let v76 = (v75 > -1048576.0f);
-            let v77 = select(-1048576.0f, v75, v76);
-            let v78 = (v77 < 1048576.0f);
-            let v79 = select(1048576.0f, v77, v78);
-            let v80 = (v79 + 12582912.0f);
-            let v81 = bitcast<u32>(v80);
-            let v82 = (v81 + 3032481792u);
-            let v83 = f32(bitcast<i32>(v82));
-            let v84 = (v79 - v83);
-            let v85 = (v84 >= 0.5f);
-            let v86 = select(0u, 1u, v85);
-            let v87 = (v82 + v168);
-            let v88 = (v87 + v86);
-            let v159 = bitcast<u32>(min(bitcast<i32>(v169), bitcast<i32>(v88)));
-            let v160 = bitcast<u32>(max(bitcast<i32>(v159), bitcast<i32>(4294967295u)));
-            p96 = v160;
-            p97 = false;
+          let v171 = p171;
+          let v172 = p172;
+          let v174 = p174;
+          let v175 = p175;
+          let v176 = p176;
+          let v136 = (v172 != true);
+          if v136 {
+            let v163 = r0[0u][2u];
+            let v164 = bitcast<f32>(v163);
+            let v75 = (v176 == bitcast<f32>(bits_7f800000));
+            let v76 = (v176 + -1.0f);
+            let v77 = (v76 / v176);
+            let v78 = (v77 * v164);
+            let v79 = select(v78, v164, v75);
+            let v80 = (v79 > -1048576.0f);
+            let v81 = select(-1048576.0f, v79, v80);
+            let v82 = (v81 < 1048576.0f);
+            let v83 = select(1048576.0f, v81, v82);
+            let v84 = (v83 + 12582912.0f);
+            let v85 = bitcast<u32>(v84);
+            let v86 = (v85 + 3032481792u);
+            let v87 = f32(bitcast<i32>(v86));
+            let v88 = (v83 - v87);
+            let v89 = (v88 >= 0.5f);
+            let v90 = select(0u, 1u, v89);
+            let v91 = (v86 + v174);
+            let v92 = (v91 + v90);
+            let v165 = bitcast<u32>(min(bitcast<i32>(v175), bitcast<i32>(v92)));
+            let v166 = bitcast<u32>(max(bitcast<i32>(v165), bitcast<i32>(4294967295u)));
+            p100 = v166;
+            p101 = false;
           } else {
-            p97 = true;
+            p101 = true;
           }
-          let v96 = p96;
-          let v97 = p97;
-          if !v97 {
-            p98 = v96;
+          let v100 = p100;
+          let v101 = p101;
+          if !v101 {
+            p102 = v100;
           }
-          let v98 = p98;
-          let v99 = (v98 + 1u);
-          let v161 = r0[2u][0u];
-          let v101 = (v161 != 0u);
-          let v102 = (bitcast<i32>(v99) < bitcast<i32>(v32));
-          let v103 = (v101 & v102);
-          let v104 = (bitcast<i32>(v32) < bitcast<i32>(v148));
-          let v105 = (v104 & v103);
-          let v106 = select(0u, 1u, v105);
-          let v107 = (v32 + v106);
-          let v108 = (bitcast<i32>(v99) < bitcast<i32>(v107));
-          if v108 {
-            let v109 = (v33 + 1u);
-            p112 = v99;
+          let v102 = p102;
+          let v103 = (v102 + 1u);
+          let v167 = r0[2u][0u];
+          let v105 = (v167 != 0u);
+          let v106 = (bitcast<i32>(v103) < bitcast<i32>(v32));
+          let v107 = (v105 & v106);
+          let v108 = (bitcast<i32>(v32) < bitcast<i32>(v153));
+          let v109 = (v108 & v107);
+          let v110 = select(0u, 1u, v109);
+          let v111 = (v32 + v110);
+          let v112 = (bitcast<i32>(v103) < bitcast<i32>(v111));
+          if v112 {
+            let v113 = (v33 + 1u);
+            p116 = v103;
             var done3 = false;
             loop {
               if done3 { break; }
-              let v112 = p112;
-              let v162 = r0[0u][3u];
-              let v114 = (v162 == 0u);
-              let v115 = (v112 ^ 4294967295u);
-              let v116 = (v148 + v115);
-              let v117 = select(v116, v112, v114);
-              let v118 = (v117 + v28);
-              let v163 = atomicLoad(&r4[v118]);
-              let v123 = (v163 == 0u);
-              if v123 {
-                atomicStore(&r4[v118], v109);
+              let v116 = p116;
+              let v168 = r0[0u][3u];
+              let v118 = (v168 == 0u);
+              let v119 = (v116 ^ 4294967295u);
+              let v120 = (v153 + v119);
+              let v121 = select(v120, v116, v118);
+              let v122 = (v121 + v28);
+              let v169 = atomicLoad(&r4[v122]);
+              let v127 = (v169 == 0u);
+              if v127 {
+                atomicStore(&r4[v122], v113);
               }
-              let v124 = (v112 + 1u);
-              let v125 = (v124 == v107);
-              p112 = v124;
-              done3 = v125;
+              let v128 = (v116 + 1u);
+              let v129 = (v128 == v111);
+              p116 = v128;
+              done3 = v129;
             }
           }
-          let v110 = (v165 == 0u);
-          let v111 = (v165 + 4294967295u);
-          p32 = v98;
-          p33 = v111;
-          done1 = v110;
+          let v114 = (v171 == 0u);
+          let v115 = (v171 + 4294967295u);
+          p32 = v102;
+          p33 = v115;
+          done1 = v114;
         }
-        let v126 = (v23 + 1u);
-        let v127 = (v24 + 4294967295u);
-        let v128 = (v127 == 0u);
-        p29 = v127;
-        p30 = v126;
-        p31 = v128;
+        let v130 = (v23 + 1u);
+        let v131 = (v24 + 4294967295u);
+        let v132 = (v131 == 0u);
+        p29 = v131;
+        p30 = v130;
+        p31 = v132;
       } else {
         p31 = true;
       }

@@ -4,107 +4,110 @@
 var<private> bits_7f800000: u32 = 2139095040u;
 @compute @workgroup_size(8, 1, 1)
 fn shift_range(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
-  var p21: u32;
-  var p22: u32;
-  var p23: u32;
-  var p54: u32;
-  var p60: u32;
-  var p61: u32;
-  var p94: u32;
-  var p95: u32;
-  let v77 = global_invocation_id[0u];
-  let v82 = r0[0u][1u];
-  let v12 = (v77 < v82);
+  var p24: u32;
+  var p25: u32;
+  var p26: u32;
+  var p58: u32;
+  var p62: u32;
+  var p63: u32;
+  var p101: u32;
+  var p102: u32;
+  let v83 = global_invocation_id[0u];
+  let v88 = r0[0u][1u];
+  let v12 = (v83 < v88);
   if v12 {
-    let v83 = r0[0u][0u];
-    let v14 = (v83 != 0u);
+    let v89 = r0[0u][0u];
+    let v14 = (v89 != 0u);
     if v14 {
-      let v15 = (v83 * v77);
-      let v84 = r0[0u][3u];
-      let v18 = (v84 == 0u);
-      p21 = 0u;
-      p22 = 4294967295u;
-      p23 = 0u;
+      let v15 = (v89 * v83);
+      let v90 = r0[0u][3u];
+      let v18 = (v90 == 0u);
+      let v91 = r0[2u][3u];
+      let v21 = (v91 == 0u);
+      p24 = 0u;
+      p25 = 4294967295u;
+      p26 = 0u;
       var done0 = false;
       loop {
         if done0 { break; }
-        let v21 = p21;
-        let v22 = p22;
-        let v23 = p23;
-        let v24 = (v23 ^ 4294967295u);
-        let v25 = (v83 + v24);
-        let v26 = select(v25, v23, v18);
-        let v27 = (v26 + v15);
-        let v85 = (v27 * 2u);
-        let v86 = r1[v85];
-        let v87 = bitcast<f32>(v86);
-        let v32 = !(v87 < 0.0f);
-        if v32 {
-          let v33 = (v87 == bitcast<f32>(bits_7f800000));
-          let v88 = r0[0u][2u];
-          let v89 = bitcast<f32>(v88);
-          let v35 = (v87 + -1.0f);
-          let v36 = (v35 / v87);
-          let v37 = (v36 * v89);
-          let v38 = select(v37, v89, v33);
-          let v39 = (v38 > -1048576.0f);
-          let v40 = select(-1048576.0f, v38, v39);
-          let v41 = (v40 < 1048576.0f);
-          let v42 = select(1048576.0f, v40, v41);
-          let v43 = (v42 + 12582912.0f);
-          let v44 = bitcast<u32>(v43);
-          let v45 = (v44 + 3032481792u);
-          let v46 = f32(bitcast<i32>(v45));
-          let v47 = (v42 - v46);
-          let v48 = (v47 >= 0.5f);
-          let v49 = select(0u, 1u, v48);
-          let v50 = (v45 + v23);
-          let v51 = (v50 + v49);
-          let v90 = bitcast<u32>(min(bitcast<i32>(v83), bitcast<i32>(v51)));
-          let v91 = bitcast<u32>(max(bitcast<i32>(v90), bitcast<i32>(4294967295u)));
-          p54 = v91;
+        let v24 = p24;
+        let v25 = p25;
+        let v26 = p26;
+        let v27 = (v26 ^ 4294967295u);
+        let v28 = (v89 + v27);
+        let v29 = select(v28, v26, v18);
+        let v30 = (v29 + v15);
+        let v92 = (v30 * 2u);
+        let v93 = r1[v92];
+        let v94 = bitcast<f32>(v93);
+        let v35 = (v94 >= 0.0f);
+        let v36 = (v35 | v21);
+        if v36 {
+          let v95 = r0[0u][2u];
+          let v96 = bitcast<f32>(v95);
+          let v38 = (v94 == bitcast<f32>(bits_7f800000));
+          let v39 = (v94 + -1.0f);
+          let v40 = (v39 / v94);
+          let v41 = (v40 * v96);
+          let v42 = select(v41, v96, v38);
+          let v43 = (v42 > -1048576.0f);
+          let v44 = select(-1048576.0f, v42, v43);
+          let v45 = (v44 < 1048576.0f);
+          let v46 = select(1048576.0f, v44, v45);
+          let v47 = (v46 + 12582912.0f);
+          let v48 = bitcast<u32>(v47);
+          let v49 = (v48 + 3032481792u);
+          let v50 = f32(bitcast<i32>(v49));
+          let v51 = (v46 - v50);
+          let v52 = (v51 >= 0.5f);
+          let v53 = select(0u, 1u, v52);
+          let v54 = (v49 + v26);
+          let v55 = (v54 + v53);
+          let v97 = bitcast<u32>(min(bitcast<i32>(v89), bitcast<i32>(v55)));
+          let v98 = bitcast<u32>(max(bitcast<i32>(v97), bitcast<i32>(4294967295u)));
+          p58 = v98;
         } else {
-          p54 = 4294967294u;
+          p58 = 4294967294u;
         }
-        let v54 = p54;
-        let v55 = (v54 < v83);
-        if v55 {
-          let v56 = (v54 - v23);
-          let v57 = (bitcast<i32>(v21) <= bitcast<i32>(v22));
-          if v57 {
-            let v92 = bitcast<u32>(min(bitcast<i32>(v56), bitcast<i32>(v21)));
-            let v93 = bitcast<u32>(max(bitcast<i32>(v56), bitcast<i32>(v22)));
-            p61 = v92;
-            p60 = v93;
+        let v58 = p58;
+        let v59 = (v58 < v89);
+        if v59 {
+          let v66 = (v58 - v26);
+          let v67 = (bitcast<i32>(v24) <= bitcast<i32>(v25));
+          if v67 {
+            let v99 = bitcast<u32>(min(bitcast<i32>(v66), bitcast<i32>(v24)));
+            let v100 = bitcast<u32>(max(bitcast<i32>(v66), bitcast<i32>(v25)));
+            p63 = v99;
+            p62 = v100;
           } else {
-            p61 = v56;
-            p60 = v56;
+            p63 = v66;
+            p62 = v66;
           }
         } else {
-          p60 = v22;
-          p61 = v21;
+          p62 = v25;
+          p63 = v24;
         }
-        let v60 = p60;
-        let v61 = p61;
-        let v62 = (v23 + 1u);
-        let v63 = (v62 == v83);
-        p21 = v61;
-        p22 = v60;
-        p23 = v62;
-        p95 = v60;
-        p94 = v61;
-        done0 = v63;
+        let v62 = p62;
+        let v63 = p63;
+        let v64 = (v26 + 1u);
+        let v65 = (v64 == v89);
+        p24 = v63;
+        p25 = v62;
+        p26 = v64;
+        p102 = v62;
+        p101 = v63;
+        done0 = v65;
       }
     } else {
-      p94 = 0u;
-      p95 = 4294967295u;
+      p101 = 0u;
+      p102 = 4294967295u;
     }
-    let v94 = p94;
-    let v95 = p95;
-    let v96 = (v77 * 2u);
-    r2[v96] = v94;
-    let v99 = (v96 + 1u);
-    r2[v99] = v95;
+    let v101 = p101;
+    let v102 = p102;
+    let v103 = (v83 * 2u);
+    r2[v103] = v101;
+    let v106 = (v103 + 1u);
+    r2[v106] = v102;
   }
   return;
 }

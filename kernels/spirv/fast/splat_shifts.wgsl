@@ -4,235 +4,240 @@
 @group(0) @binding(3) var<storage, read_write> r3: array<atomic<u32>>;
 @compute @workgroup_size(64, 1, 1)
 fn splat_shifts(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
-  var p44: u32;
-  var p55: u32;
-  var p57: bool;
-  var p43: bool;
-  var p32: u32;
+  var p59: u32;
+  var p49: u32;
+  var p51: bool;
+  var p58: bool;
+  var p36: u32;
+  var p46: u32;
+  var p48: bool;
   var p52: u32;
-  var p54: bool;
-  var p58: u32;
-  var p67: u32;
-  var p81: u32;
-  var p83: bool;
-  var p214: u32;
-  var p96: u32;
-  var p97: u32;
-  var p142: u32;
-  var p158: u32;
-  var p94: u32;
-  var p112: u32;
-  var p113: u32;
-  let v184 = global_invocation_id[0u];
-  let v185 = global_invocation_id[1u];
-  let v190 = r0[0u][1u];
-  let v15 = (v185 < v190);
-  let v191 = r0[0u][0u];
-  let v17 = (v184 << (3u & 31u));
-  let v192 = min(v17, v191);
-  let v19 = select(v191, v192, v15);
-  let v20 = (v191 - v19);
+  var p71: u32;
+  var p85: u32;
+  var p87: bool;
+  var p221: u32;
+  var p100: u32;
+  var p101: u32;
+  var p146: u32;
+  var p162: u32;
+  var p98: u32;
+  var p118: u32;
+  var p119: u32;
+  let v190 = global_invocation_id[0u];
+  let v191 = global_invocation_id[1u];
+  let v196 = r0[0u][1u];
+  let v15 = (v191 < v196);
+  let v197 = r0[0u][0u];
+  let v17 = (v190 << (3u & 31u));
+  let v198 = min(v17, v197);
+  let v19 = select(v197, v198, v15);
+  let v20 = (v197 - v19);
   let v21 = (v20 < 8u);
   let v22 = (v19 + 8u);
-  let v23 = select(v22, v191, v21);
+  let v23 = select(v22, v197, v21);
   let v24 = (v19 != v23);
   if v24 {
-    let v26 = (v19 < v23);
-    if v26 {
-      let v193 = r0[0u][3u];
-      let v29 = (v193 != 0u);
-      let v30 = (v191 * v185);
-      if v29 {
-        let v41 = (v191 + v30);
-        p44 = v19;
+    let v199 = r0[2u][3u];
+    let v27 = (v199 != 0u);
+    let v29 = (v19 < v23);
+    let v30 = (v27 & v29);
+    if v30 {
+      let v200 = r0[0u][3u];
+      let v33 = (v200 != 0u);
+      let v34 = (v197 * v191);
+      if v33 {
+        let v45 = (v197 + v34);
+        p59 = v19;
         var done0 = false;
         loop {
           if done0 { break; }
-          let v44 = p44;
-          let v45 = (v44 ^ 4294967295u);
-          let v46 = (v41 + v45);
-          let v194 = r1[v46];
-          let v51 = (v194 == 4294967295u);
-          if v51 {
-            let v63 = (v44 + 1u);
-            let v64 = (v63 == v23);
-            p55 = v63;
-            p58 = v23;
-            p57 = v64;
+          let v59 = p59;
+          let v60 = (v59 ^ 4294967295u);
+          let v61 = (v45 + v60);
+          let v201 = r1[v61];
+          let v66 = (v201 == 4294967295u);
+          if v66 {
+            let v67 = (v59 + 1u);
+            let v68 = (v67 == v23);
+            p49 = v67;
+            p52 = v23;
+            p51 = v68;
           } else {
-            p58 = v44;
-            p57 = true;
+            p52 = v59;
+            p51 = true;
           }
-          let v55 = p55;
-          let v57 = p57;
-          p44 = v55;
-          done0 = v57;
+          let v49 = p49;
+          let v51 = p51;
+          p59 = v49;
+          done0 = v51;
         }
-        p43 = false;
+        p58 = false;
       } else {
-        p43 = true;
+        p58 = true;
       }
-      let v43 = p43;
-      if v43 {
-        p32 = v19;
+      let v58 = p58;
+      if v58 {
+        p36 = v19;
         var done1 = false;
         loop {
           if done1 { break; }
-          let v32 = p32;
-          let v33 = (v32 + v30);
-          let v195 = r1[v33];
-          let v38 = (v195 == 4294967295u);
-          if v38 {
-            let v39 = (v32 + 1u);
-            let v40 = (v39 == v23);
-            p52 = v39;
-            p58 = v23;
-            p54 = v40;
+          let v36 = p36;
+          let v37 = (v36 + v34);
+          let v202 = r1[v37];
+          let v42 = (v202 == 4294967295u);
+          if v42 {
+            let v43 = (v36 + 1u);
+            let v44 = (v43 == v23);
+            p46 = v43;
+            p52 = v23;
+            p48 = v44;
           } else {
-            p58 = v32;
-            p54 = true;
+            p52 = v36;
+            p48 = true;
           }
-          let v52 = p52;
-          let v54 = p54;
-          p32 = v52;
-          done1 = v54;
+          let v46 = p46;
+          let v48 = p48;
+          p36 = v46;
+          done1 = v48;
         }
       }
     } else {
-      p58 = v19;
+      p52 = v19;
     }
-    let v58 = p58;
-    let v59 = (v58 == v23);
-    let v60 = (v23 < v191);
-    let v61 = (v60 & v59);
-    let v62 = (v61 != true);
-    if v62 {
-      let v65 = (v191 * v185);
-      p67 = v19;
+    let v52 = p52;
+    let v53 = (v52 == v23);
+    let v54 = (v23 < v197);
+    let v55 = (v54 & v53);
+    let v56 = (v55 != true);
+    if v56 {
+      let v69 = (v197 * v191);
+      p71 = v19;
       var done2 = false;
       loop {
         if done2 { break; }
-        let v67 = p67;
-        let v68 = (v67 != 0u);
-        if v68 {
-          let v69 = (v67 + 4294967295u);
-          let v196 = r0[0u][3u];
-          let v71 = (v196 == 0u);
-          let v72 = (v191 - v67);
-          let v73 = select(v72, v69, v71);
-          let v74 = (v73 + v65);
-          let v197 = r1[v74];
-          let v79 = (v197 + 4294967295u);
-          let v80 = (v79 != 4294967294u);
-          p81 = v69;
-          p214 = v79;
-          p83 = v80;
+        let v71 = p71;
+        let v72 = (v71 != 0u);
+        if v72 {
+          let v73 = (v71 + 4294967295u);
+          let v203 = r0[0u][3u];
+          let v75 = (v203 == 0u);
+          let v76 = (v197 - v71);
+          let v77 = select(v76, v73, v75);
+          let v78 = (v77 + v69);
+          let v204 = r1[v78];
+          let v83 = (v204 + 4294967295u);
+          let v84 = (v83 != 4294967294u);
+          p85 = v73;
+          p221 = v83;
+          p87 = v84;
         } else {
-          p214 = 4294967295u;
-          p83 = true;
+          p221 = 4294967295u;
+          p87 = true;
         }
-        let v81 = p81;
-        let v83 = p83;
-        p67 = v81;
-        done2 = v83;
+        let v85 = p85;
+        let v87 = p87;
+        p71 = v85;
+        done2 = v87;
       }
-      let v214 = p214;
-      let v84 = (v58 < v23);
-      if v84 {
-        p96 = v214;
-        p97 = v58;
+      let v221 = p221;
+      let v88 = (v52 < v23);
+      if v88 {
+        p100 = v221;
+        p101 = v52;
         var done3 = false;
         loop {
           if done3 { break; }
-          let v96 = p96;
-          let v97 = p97;
-          let v199 = r0[0u][3u];
-          let v100 = (v199 == 0u);
-          let v101 = (v97 ^ 4294967295u);
-          let v102 = (v191 + v101);
-          let v103 = select(v102, v97, v100);
-          let v105 = (v103 + v65);
-          let v200 = r1[v105];
-          let v110 = (v200 + 4294967295u);
-          let v111 = (v110 != 4294967294u);
-          if v111 {
-            let v130 = (v96 + 1u);
-            let v201 = r0[2u][0u];
-            let v132 = (v201 != 0u);
-            let v133 = (bitcast<i32>(v130) < bitcast<i32>(v110));
-            let v134 = (v133 & v132);
-            let v135 = (bitcast<i32>(v110) < bitcast<i32>(v191));
-            let v136 = (v135 & v134);
-            let v137 = select(0u, 1u, v136);
-            let v138 = (v110 + v137);
-            let v139 = (bitcast<i32>(v130) < bitcast<i32>(v138));
-            if v139 {
-              let v140 = (v97 + 1u);
-              p142 = v130;
+          let v100 = p100;
+          let v101 = p101;
+          let v206 = r0[0u][3u];
+          let v104 = (v206 == 0u);
+          let v105 = (v101 ^ 4294967295u);
+          let v106 = (v197 + v105);
+          let v107 = select(v106, v101, v104);
+          let v109 = (v107 + v69);
+          let v207 = r1[v109];
+          let v114 = (v207 + 4294967295u);
+          let v115 = (v114 == 4294967294u);
+          let v116 = (v27 & v115);
+          let v117 = (v116 != true);
+          if v117 {
+            let v134 = (v100 + 1u);
+            let v208 = r0[2u][0u];
+            let v136 = (v208 != 0u);
+            let v137 = (bitcast<i32>(v134) < bitcast<i32>(v114));
+            let v138 = (v137 & v136);
+            let v139 = (bitcast<i32>(v114) < bitcast<i32>(v197));
+            let v140 = (v139 & v138);
+            let v141 = select(0u, 1u, v140);
+            let v142 = (v114 + v141);
+            let v143 = (bitcast<i32>(v134) < bitcast<i32>(v142));
+            if v143 {
+              let v144 = (v101 + 1u);
+              p146 = v134;
               var done4 = false;
               loop {
                 if done4 { break; }
-                let v142 = p142;
-                let v147 = (v142 ^ 4294967295u);
-                let v148 = (v191 + v147);
-                let v149 = select(v148, v142, v100);
-                let v150 = (v149 + v65);
-                let v204 = atomicMax(&r3[v150], v140);
-                let v155 = (v142 + 1u);
-                let v156 = (v155 == v138);
-                p142 = v155;
-                done4 = v156;
+                let v146 = p146;
+                let v151 = (v146 ^ 4294967295u);
+                let v152 = (v197 + v151);
+                let v153 = select(v152, v146, v104);
+                let v154 = (v153 + v69);
+                let v211 = atomicMax(&r3[v154], v144);
+                let v159 = (v146 + 1u);
+                let v160 = (v159 == v142);
+                p146 = v159;
+                done4 = v160;
               }
             }
-            let v159 = (v110 < v191);
-            if v159 {
-              let v163 = (v191 - v200);
-              let v164 = select(v163, v110, v100);
-              let v165 = (v164 + v65);
-              let v169 = (v97 + 1u);
-              let v207 = atomicMax(&r2[v165], v169);
+            let v163 = (v114 < v197);
+            if v163 {
+              let v169 = (v197 - v207);
+              let v170 = select(v169, v114, v104);
+              let v171 = (v170 + v69);
+              let v175 = (v101 + 1u);
+              let v214 = atomicMax(&r2[v171], v175);
             }
-            p158 = v110;
+            p162 = v114;
           } else {
-            p158 = v96;
+            p162 = v100;
           }
-          let v158 = p158;
-          let v128 = (v97 + 1u);
-          let v129 = (v128 >= v23);
-          p96 = v158;
-          p97 = v128;
-          p94 = v158;
-          done3 = v129;
+          let v162 = p162;
+          let v164 = (v101 + 1u);
+          let v165 = (v164 >= v23);
+          p100 = v162;
+          p101 = v164;
+          p98 = v162;
+          done3 = v165;
         }
       } else {
-        p94 = v214;
+        p98 = v221;
       }
-      let v94 = p94;
-      let v89 = (v23 == v191);
-      if v89 {
-        let v90 = (v94 + 1u);
-        let v91 = (bitcast<i32>(v90) < bitcast<i32>(v23));
-        if v91 {
-          let v93 = (v23 + 1u);
-          p112 = v90;
-          p113 = v94;
+      let v98 = p98;
+      let v93 = (v23 == v197);
+      if v93 {
+        let v94 = (v98 + 1u);
+        let v95 = (bitcast<i32>(v94) < bitcast<i32>(v23));
+        if v95 {
+          let v97 = (v23 + 1u);
+          p118 = v94;
+          p119 = v98;
           var done5 = false;
           loop {
             if done5 { break; }
-            let v112 = p112;
-            let v113 = p113;
-            let v210 = r0[0u][3u];
-            let v117 = (v210 == 0u);
-            let v118 = (v191 - v113);
-            let v119 = (v118 + 4294967294u);
-            let v120 = select(v119, v112, v117);
-            let v121 = (v120 + v65);
-            let v211 = atomicMax(&r3[v121], v93);
-            let v126 = (v112 + 1u);
-            let v127 = (v126 == v23);
-            p112 = v126;
-            p113 = v112;
-            done5 = v127;
+            let v118 = p118;
+            let v119 = p119;
+            let v217 = r0[0u][3u];
+            let v123 = (v217 == 0u);
+            let v124 = (v197 - v119);
+            let v125 = (v124 + 4294967294u);
+            let v126 = select(v125, v118, v123);
+            let v127 = (v126 + v69);
+            let v218 = atomicMax(&r3[v127], v97);
+            let v132 = (v118 + 1u);
+            let v133 = (v132 == v23);
+            p118 = v132;
+            p119 = v118;
+            done5 = v133;
           }
         }
       }

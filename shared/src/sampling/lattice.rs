@@ -25,7 +25,7 @@ pub fn first_word(view: &View, column: u32, row: u32, planned: u32) -> u32 {
     if (column | row) & between == 0 { planned } else { traced(UNSAMPLED) }
 }
 
-/// The hit of a point that was not sampled: reprojection lets it out (`stereo::reprojection::NOWHERE`).
+/// The hit of a point that was not sampled: reprojection leaves it out (`stereo::reprojection::is_sampled`).
 pub const UNSAMPLED_HIT: Hit = Hit { t: -1.0, prim_id: NONE };
 
 #[cfg(test)]

@@ -38,18 +38,23 @@ pub fn shift_px(disparity_px: f32) -> i32 {
     nearest + (disparity_px - nearest as f32 >= 0.5) as i32
 }
 
-/// Where a column lands that was not sampled: its `t` is below 0.
-pub const NOWHERE: i32 = -2;
-
-/// The column on which source column `x` lands, which sees something at `t`: −1 … width, of which the ends are outside; or
-/// [`NOWHERE`].
+/// The column on which source column `x` lands, which sees something at `t`: −1 … width, of which the ends are outside.
 ///
 /// As in 001, a jittered ray counts as one through the middle of its column: it keeps its place beside the middle, within the rounding
 /// to columns. (With that place in the sum, neighbours would land apart or together by chance: seven times as many holes.)
 #[inline(always)]
 pub fn target(p: &Reprojection, t: f32, x: u32) -> i32 {
     let target = x as i32 + shift_px(camera::disparity_px(p.interaxial_px, t));
-    if t < 0.0 { NOWHERE } else { target.min(p.width as i32).max(-1) }
+    target.min(p.width as i32).max(-1)
+}
+
+/// Where a column lands that was not sampled.
+pub const NOWHERE: i32 = -2;
+
+/// Whether a column with this `t` was sampled, of a picture of which not all were.
+#[inline(always)]
+pub fn is_sampled(t: f32) -> bool {
+    t >= 0.0
 }
 
 /// Index of column `x` of `row` among the band's pixels.

@@ -11,7 +11,7 @@
 //! The picture's edges are columns like others: column −1 lands on −1 and column w on w, so that the strip before the first target
 //! and that behind the last one are gaps (001's initialisation and its last-pixel rule in one).
 
-use super::reprojection::{NOWHERE, key, pixel, target};
+use super::reprojection::{NOWHERE, is_sampled, key, pixel, target};
 use crate::layout::{Hit, Reprojection};
 use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use kernel_api::At;
@@ -64,6 +64,11 @@ impl<'a> Run<'a> {
         for lane in 0..RUN as usize {
             targets[lane] = target(self.p, t[lane], self.first + lane as u32);
         }
+        if self.p.sparse != 0 {
+            for lane in 0..RUN as usize {
+                targets[lane] = if is_sampled(t[lane]) { targets[lane] } else { NOWHERE };
+            }
+        }
         targets
     }
 
@@ -110,8 +115,8 @@ impl<'a> Run<'a> {
         set: impl Fn(&AtomicU32, u32),
         land: impl Fn(u32, u32),
     ) -> i32 {
-        let mut x = self.first;
-        while x < self.end && target(x) == NOWHERE {
+        let (mut x, is_sparse) = (self.first, self.p.sparse != 0);
+        while is_sparse && x < self.end && target(x) == NOWHERE {
             x += 1;
         }
         if x == self.end && self.end < self.p.width {
@@ -120,7 +125,7 @@ impl<'a> Run<'a> {
         let mut before = before();
         while x < self.end {
             let target = target(x);
-            if target != NOWHERE {
+            if !is_sparse || target != NOWHERE {
                 self.mark(before, target, |pixel| set(gaps.at_ref(pixel), key(x)));
                 if is_inside(self.p, target) {
                     land(self.pixel(target as u32), x);
@@ -161,7 +166,11 @@ pub fn overwrite(entry: &AtomicU32, key: u32) {
 /// Where column `x` of `row` lands; column w, which there is not, on w.
 #[inline(always)]
 pub fn landing(p: &Reprojection, hits: &[Hit], x: u32, row: u32) -> i32 {
-    if x < p.width { target(p, hits.at_ref(pixel(p, x, row)).t, x) } else { p.width as i32 }
+    if x >= p.width {
+        return p.width as i32;
+    }
+    let t = hits.at_ref(pixel(p, x, row)).t;
+    if p.sparse == 0 || is_sampled(t) { target(p, t, x) } else { NOWHERE }
 }
 
 /// How many columns there are up to the last one before `end` that was sampled, and where it lands: 0 and −1 when none was.

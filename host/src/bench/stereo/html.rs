@@ -101,7 +101,7 @@ mod tests {
     fn made_up(part: Part) -> Vec<Measured> {
         let lines = |setting: &super::super::Setting| {
             let metric = if part.is_error() { MSE } else { COST };
-            part.methods()
+            part.methods(setting)
                 .iter()
                 .enumerate()
                 .map(|(i, options)| {
@@ -136,7 +136,7 @@ mod tests {
         }
         for part in [Part::Dimensions, Part::ErrorInteraxial] {
             let scenes = if part == Part::Dimensions { 5 } else { 1 };
-            let methods = part.methods().len();
+            let methods = part.methods(&part.settings(true)[0]).len();
             curves += scenes * if part.is_error() { methods - 1 } else { methods };
         }
         let page = page("two cores & a fan", &measured);

@@ -11,7 +11,9 @@ use crate::metrics;
 use crate::render::band::{Band, EYES, Pair};
 use crate::render::stereo::Plan;
 use crate::render::stereo::statistics::{StereoReport, StereoStatistics};
-use crate::render::{Method, RenderError, Renderer, SceneData, StageTime, StereoOptions, Verify};
+use crate::render::{
+    Method, RenderError, Renderer, SceneData, Shadows, StageTime, StereoOptions, value_name,
+};
 use parallax_shared::layout::Hit;
 use std::collections::BTreeMap;
 
@@ -53,17 +55,12 @@ impl Measured {
 
 /// A method with the options that it does not have by itself.
 pub fn label(options: &StereoOptions) -> String {
-    let verify = options.verify.map_or(String::new(), |verify| format!(" verify={}", name_of(verify)));
-    let shadows = if options.shadows == Default::default() { "" } else { " shadows=trace" };
+    let verify = options.verify.map_or(String::new(), |verify| format!(" verify={}", value_name(&verify)));
+    let shadows = match options.shadows {
+        Shadows::Reuse => String::new(),
+        shadows => format!(" shadows={}", value_name(&shadows)),
+    };
     format!("{}{verify}{shadows}", options.method.name())
-}
-
-const fn name_of(verify: Verify) -> &'static str {
-    match verify {
-        Verify::None => "none",
-        Verify::Edges => "edges",
-        Verify::All => "all",
-    }
 }
 
 /// Measures a case on `cpu`. `progress` is told how many of how many repetitions are done.
@@ -237,12 +234,33 @@ fn quartiles(values: &[f64], unit: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::render::Verify;
 
     #[test]
     fn methods_are_named_with_their_options() {
         assert_eq!(label(&Method::Atomic.into()), "atomic");
         let options = StereoOptions { verify: Some(Verify::Edges), ..Method::Atomic.into() };
         assert_eq!(label(&options), "atomic verify=edges");
+    }
+
+    #[test]
+    fn frames_become_their_mean() {
+        let line = |metric: &str, value, spread| BenchLine {
+            bench: "stereo",
+            case: "spheres".into(),
+            backend: "CPU".into(),
+            method: "atomic".into(),
+            metric: metric.into(),
+            value,
+            unit: "%",
+            spread,
+            reference: None,
+            reference_value: None,
+        };
+        let frames = [vec![line("a", 1.0, 0.5), line("b", 8.0, 0.0)], vec![line("a", 3.0, 0.25)]];
+        let told: Vec<_> = super::super::mean(&frames).iter().map(|l| (l.value, l.spread)).collect();
+        assert_eq!(told, [(2.0, 0.5), (8.0, 0.0)]);
+        assert!(super::super::mean(&[]).is_empty());
     }
 
     #[test]

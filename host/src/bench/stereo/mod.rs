@@ -36,7 +36,7 @@ pub struct Measured {
 impl Measured {
     /// Puts what the papers print beside the lines of a setting.
     pub fn new(part: Part, setting: Setting, lines: Vec<BenchLine>) -> Self {
-        let methods = part.methods();
+        let methods = part.methods(&setting);
         let with_reference = |line: BenchLine| {
             let options = methods.iter().find(|options| label(options) == line.method);
             match options {
@@ -50,7 +50,7 @@ impl Measured {
 
     /// The lowest and highest value that a paper prints for a line.
     fn printed(&self, line: &BenchLine) -> Option<[f64; 2]> {
-        let methods = self.part.methods();
+        let methods = self.part.methods(&self.setting);
         let options = methods.iter().find(|options| label(options) == line.method)?;
         match paper::figure(self.part, &self.setting, options, &line.metric)?.printed {
             Printed::Value(value) => Some([value, value]),
@@ -58,6 +58,22 @@ impl Measured {
             Printed::AtLeast(_) | Printed::AtMost(_) | Printed::Lost => None,
         }
     }
+}
+
+/// The lines of several frames as one: means of values, and the largest spread. Every frame has the same lines but for stages that one
+/// of them did not need.
+pub fn mean(frames: &[Vec<BenchLine>]) -> Vec<BenchLine> {
+    let Some((first, _)) = frames.split_first() else { return vec![] };
+    let same =
+        |line: &BenchLine, other: &BenchLine| line.method == other.method && line.metric == other.metric;
+    let mean = |line: &BenchLine| {
+        let all: Vec<_> =
+            frames.iter().filter_map(|lines| lines.iter().find(|other| same(line, other))).collect();
+        let value = all.iter().map(|line| line.value).sum::<f64>() / all.len().max(1) as f64;
+        let spread = all.iter().map(|line| line.spread).fold(0.0, f64::max);
+        BenchLine { value, spread, ..line.clone() }
+    };
+    first.iter().map(mean).collect()
 }
 
 /// The line with what a paper says of it.

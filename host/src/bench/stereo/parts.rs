@@ -1,6 +1,7 @@
 //! What `parallax bench stereo` measures: the benchmarks of 000 (tables 5 and 6), 001 and 003, and our own aim.
 
-use crate::render::{Method, Overrides, RenderError, StereoOptions, Verify};
+use crate::render::sampling::TOLERANCE;
+use crate::render::{Method, Overrides, RenderError, Samples, StereoOptions, Verify, value_name};
 use crate::scene::Scene;
 use clap::ValueEnum;
 
@@ -23,8 +24,12 @@ pub enum Part {
     Single,
     /// 001 table 1: mirrors, glass and both among 125 ellipsoids.
     Table1,
-    /// 001 table 2, its first lines: 100 and 1000 ellipsoids.
+    /// 001: 20 ellipsoids, nine rays per pixel.
+    Nine,
+    /// 001 table 2: 100 and 1000 ellipsoids, one and several rays per pixel.
     Table2,
+    /// 001 table 3: adaptive sampling.
+    Table3,
     /// 003 table 5.1: gather tables, with and without reflections.
     #[value(name = "003")]
     Gather,
@@ -62,10 +67,23 @@ pub struct Setting {
     pub materials: Materials,
     /// Levels of reflection and refraction, if not the scene's own.
     pub levels: Option<u32>,
+    /// Rays per pixel.
+    pub samples: Samples,
+    /// Of how many frames of an animation this is the mean: 1 for a scene at rest.
+    pub frames: u32,
 }
 
-/// The scenes of 000, table 4. Its animated spheres are one frame here.
-const SCENES: [&str; 5] = ["spheres", "spheres_turned", "sponza", "buddha", "dragon"];
+/// The scenes of 000, table 4.
+const SCENES: [&str; 5] = ["spheres", ANIMATED, "sponza", "buddha", "dragon"];
+
+/// 000's animated spheres.
+const ANIMATED: &str = "spheres_turned";
+
+/// Frames of a whole turn of them.
+const TURN: u32 = 240;
+
+/// How many of these are measured; if it has to be quick, too.
+const FRAMES: [u32; 2] = [4, 2];
 
 /// 001's distance of the eyes: the strip that only the right one sees is "at most 11520 pixels" of 512 × 512.
 const ADELSON_INTERAXIAL: f32 = 22.5;
@@ -73,7 +91,7 @@ const ADELSON_INTERAXIAL: f32 = 22.5;
 impl Part {
     /// Its name on the command line.
     pub fn name(self) -> String {
-        self.to_possible_value().map_or_else(String::new, |value| value.get_name().into())
+        value_name(&self)
     }
 
     /// What it shows, in one sentence.
@@ -106,7 +124,18 @@ impl Part {
             Self::Table1 => {
                 "Mirrors and glass, whose further rays are traced for each eye, take away from what is saved (001, table 1)."
             }
-            Self::Table2 => "Crowded scenes with a tenth of mirrors and a tenth of glass (001, table 2).",
+            Self::Nine => {
+                "001's nine rays per pixel, of which the middle one is reprojected for all, on 20 ellipsoids; its averages over thirty \
+                 pictures stand beside ours."
+            }
+            Self::Table2 => {
+                "Crowded scenes with a tenth of mirrors and a tenth of glass (001, table 2), with one ray per pixel and with jittered \
+                 ones: time and traced points grow with their number."
+            }
+            Self::Table3 => {
+                "Adaptive sampling: up to 3 × 3 and 5 × 5 rays per pixel, and 9 × 9 on the simplest picture (001, table 3). M is the share \
+                 of the second view's points that are traced: many of the first view's land where none is needed."
+            }
             Self::Gather => {
                 "003's table 5.1: 100 spheres, 46 of them mirrors, 4 lights; without reflections and with two levels of them."
             }
@@ -128,12 +157,23 @@ impl Part {
                 Some(("interaxial distance e, px", f64::from(setting.interaxial_px)))
             }
             Self::Lights => Some(("lights", setting.lights.unwrap_or(0).into())),
-            Self::Target | Self::Single | Self::Table1 | Self::Table2 | Self::Gather => None,
+            Self::Target
+            | Self::Single
+            | Self::Table1
+            | Self::Nine
+            | Self::Table2
+            | Self::Table3
+            | Self::Gather => None,
         }
     }
 
-    /// How pairs are rendered; the first is the reference.
-    pub fn methods(self) -> Vec<StereoOptions> {
+    /// How pairs of a setting are rendered; the first is the reference.
+    pub fn methods(self, setting: &Setting) -> Vec<StereoOptions> {
+        let samples = setting.samples;
+        self.methods_of_one_ray().into_iter().map(|options| StereoOptions { samples, ..options }).collect()
+    }
+
+    fn methods_of_one_ray(self) -> Vec<StereoOptions> {
         let edges = StereoOptions { verify: Some(Verify::Edges), ..Method::Atomic.into() };
         let methods: &[Method] = match self {
             Self::Target => &[Method::Naive, Method::Ideal],
@@ -143,7 +183,9 @@ impl Part {
             Self::ErrorDimensions | Self::ErrorInteraxial => {
                 return Method::value_variants().iter().map(|&method| method.into()).chain([edges]).collect();
             }
-            Self::Single | Self::Table1 | Self::Table2 => &[Method::Naive, Method::Scanline],
+            Self::Single | Self::Table1 | Self::Nine | Self::Table2 | Self::Table3 => {
+                &[Method::Naive, Method::Scanline]
+            }
             Self::Gather => &[Method::Naive, Method::Scanline, Method::Gather1, Method::Gather2],
         };
         methods.iter().map(|&method| method.into()).chain([edges]).collect()
@@ -158,13 +200,14 @@ impl Part {
             Self::Target => {
                 let far: &[&'static str] = if quick { &["spheres", "dragon"] } else { &SCENES };
                 let near = SCENES.iter().map(|scene| Setting::matt(scene, 600, 15.0));
-                near.chain(far.iter().map(|scene| Setting::matt(scene, 600, 50.0))).collect()
+                let far = far.iter().map(|scene| Setting::matt(scene, 600, 50.0));
+                near.chain(far).map(|setting| setting.animated(quick)).collect()
             }
             Self::Dimensions => SCENES
                 .iter()
                 .flat_map(|scene| {
                     let sides = every((4..=30).map(|i| 50 * i).collect(), &[200, 400]);
-                    sides.into_iter().map(|side| Setting::matt(scene, side, 15.0))
+                    sides.into_iter().map(|side| Setting::matt(scene, side, 15.0).animated(quick))
                 })
                 .collect(),
             Self::Interaxial | Self::ErrorInteraxial => {
@@ -182,13 +225,42 @@ impl Part {
             Self::Table1 => [Materials::Opaque, Materials::Mirrors, Materials::Glass, Materials::Own]
                 .map(|materials| Setting::adelson("ellipsoids_125", materials))
                 .into(),
-            Self::Table2 => {
-                ["ellipsoids_100", "ellipsoids_1000"].map(|s| Setting::adelson(s, Materials::Own)).into()
+            Self::Nine => {
+                vec![Setting { samples: Samples::Nine, ..Setting::adelson("ellipsoids_20", Materials::Own) }]
             }
+            Self::Table2 => {
+                let samples = every(vec![1, 2, 3, 4], &[1, 3]);
+                ["ellipsoids_100", "ellipsoids_1000"]
+                    .into_iter()
+                    .flat_map(|scene| samples.iter().map(move |&n| jittered(scene, n, quick)))
+                    .collect()
+            }
+            Self::Table3 => adaptive_settings(quick),
             Self::Gather if quick => gather_settings().split_off(4),
             Self::Gather => gather_settings(),
         }
     }
+}
+
+fn jittered(scene: &'static str, n: u32, quick: bool) -> Setting {
+    let samples = if n == 1 { Samples::One } else { Samples::Jittered(n) };
+    Setting { samples, ..Setting::adelson(scene, Materials::Own) }.shrunk(quick)
+}
+
+/// 001 says levels where the corners are one of them. Its mascot is not to be had.
+fn adaptive_settings(quick: bool) -> Vec<Setting> {
+    let with = |scene, materials, levels| {
+        let samples = Samples::Adaptive { levels, tolerance: TOLERANCE };
+        Setting { samples, ..Setting::adelson(scene, materials) }.shrunk(quick)
+    };
+    let of_table_1 = [Materials::Opaque, Materials::Mirrors, Materials::Glass, Materials::Own]
+        .map(|materials| ("ellipsoids_125", materials));
+    let pictures = [("ellipsoids_20", Materials::Own), ("ellipsoids_1000", Materials::Own)];
+    let pictures = pictures.into_iter().chain(of_table_1).take(if quick { 2 } else { 6 });
+    pictures
+        .flat_map(|(scene, materials)| [1, 2].map(|levels| with(scene, materials, levels)))
+        .chain([with("ellipsoids_20", Materials::Own, 3)])
+        .collect()
 }
 
 fn gather_settings() -> Vec<Setting> {
@@ -200,6 +272,8 @@ fn gather_settings() -> Vec<Setting> {
         lights: Some(4),
         materials: Materials::Es,
         levels: Some(levels),
+        samples: Samples::One,
+        frames: 1,
     };
     sizes.into_iter().flat_map(|size| [0, 2].map(|levels| setting(size, levels))).collect()
 }
@@ -214,6 +288,8 @@ impl Setting {
             lights: Some(5),
             materials: Materials::Matt,
             levels: None,
+            samples: Samples::One,
+            frames: 1,
         }
     }
 
@@ -225,7 +301,29 @@ impl Setting {
             lights: None,
             materials,
             levels: None,
+            samples: Samples::One,
+            frames: 1,
         }
+    }
+
+    /// As a mean over frames if the scene is animated.
+    fn animated(self, quick: bool) -> Self {
+        let frames = if self.scene == ANIMATED { FRAMES[usize::from(quick)] } else { 1 };
+        Self { frames, ..self }
+    }
+
+    /// Half as many columns and rows if it has to be quick; the eyes are then as many fewer of them apart.
+    fn shrunk(self, quick: bool) -> Self {
+        if !quick {
+            return self;
+        }
+        Self { size: self.size.map(|side| side / 2), interaxial_px: self.interaxial_px / 2.0, ..self }
+    }
+
+    /// The frames that are measured.
+    pub fn frame_numbers(&self) -> impl Iterator<Item = u32> + use<> {
+        let frames = self.frames;
+        (0..frames).map(move |frame| frame * TURN / frames)
     }
 
     /// What to call it.
@@ -239,7 +337,11 @@ impl Setting {
             Materials::Mirrors => " mirrors",
             Materials::Glass => " glass",
         };
-        format!("{scene} {width}x{height} e={interaxial_px}{lights}{levels}{materials}")
+        let samples = match self.samples {
+            Samples::One => String::new(),
+            samples => format!(" samples={samples}"),
+        };
+        format!("{scene} {width}x{height} e={interaxial_px}{lights}{levels}{materials}{samples}")
     }
 
     /// Makes the scene what the setting says.
@@ -305,7 +407,7 @@ mod tests {
         for part in Part::value_variants() {
             let (few, all) = (part.settings(true), part.settings(false));
             assert!(!few.is_empty() && few.len() <= all.len(), "{part:?}");
-            assert_eq!(part.methods()[0].method, Method::Naive);
+            assert_eq!(part.methods(&all[0])[0].method, Method::Naive);
         }
     }
 
@@ -318,6 +420,14 @@ mod tests {
             labels.dedup();
             assert_eq!(labels.len(), count, "{part:?}");
         }
+    }
+
+    #[test]
+    fn animations_are_means_over_a_turn() {
+        let settings = Part::Target.settings(false);
+        let turned = settings.iter().find(|setting| setting.scene == ANIMATED).unwrap();
+        assert_eq!(turned.frame_numbers().collect::<Vec<_>>(), [0, 60, 120, 180]);
+        assert_eq!(settings[0].frame_numbers().collect::<Vec<_>>(), [0]);
     }
 
     #[test]

@@ -6,9 +6,7 @@ use super::failure::{Blame, Failure};
 use super::locate;
 use super::options::size;
 use super::report::{JsonOption, warn};
-use anyhow::Context;
 use parallax::bench::{self, BenchLine, Case};
-use parallax::scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -103,6 +101,5 @@ fn usual_cases() -> Result<Vec<Case>, Failure> {
 
 fn case(path: &Path) -> Result<Case, Failure> {
     let path = locate::scene(Some(path)).usage()?;
-    let scene = scene::load(&path).with_context(|| format!("bad scene {}", path.display())).usage()?;
-    Ok(Case::of(&scene))
+    Ok(Case::of(&locate::load(&path, 0)?))
 }

@@ -6,14 +6,14 @@ use crate::command::locate;
 use crate::command::options::size;
 use crate::command::progress::Progress;
 use crate::command::report::{JsonOption, save, warn};
-use anyhow::{Context, anyhow};
+use anyhow::anyhow;
 use clap::ValueEnum;
 use parallax::backend::{Backend, Cpu};
 use parallax::bench::BenchLine;
-use parallax::bench::stereo::{Case, HEADLINES, Measured, Part, page, stereo};
+use parallax::bench::stereo::{Case, HEADLINES, Measured, Part, Setting, mean, page, stereo};
 use parallax::build::Quality;
 use parallax::render::{Method, Overrides, SceneData, StereoOptions, Verify};
-use parallax::scene::{self, Scene};
+use parallax::scene::Scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -102,34 +102,37 @@ fn measure_part(options: &Options, part: Part, cpu: &mut Cpu) -> Result<Vec<Meas
         repetitions => repetitions as usize,
     };
     let (mut measured, mut missing) = (Vec::new(), Vec::new());
-    let mut loaded: Option<(&str, Scene)> = None;
     for setting in part.settings(options.quick) {
         if missing.contains(&setting.scene) {
             continue;
         }
-        if loaded.as_ref().is_none_or(|(name, _)| *name != setting.scene) {
-            match load(Path::new(setting.scene)) {
-                Ok(scene) => loaded = Some((setting.scene, scene)),
-                Err(Failure::Usage(error)) => {
-                    warn(&[format!("{}: left out: {error:#}", part.name())]);
-                    missing.push(setting.scene);
-                    continue;
-                }
-                Err(failure) => return Err(failure),
+        match measure_setting(part, &setting, cpu, repetitions) {
+            Ok(lines) => measured.push(Measured::new(part, setting, lines)),
+            Err(Failure::Usage(error)) => {
+                warn(&[format!("{}: left out: {error:#}", part.name())]);
+                missing.push(setting.scene);
             }
+            Err(failure) => return Err(failure),
         }
-        let Some((_, scene)) = &loaded else { continue };
-        let mut scene = scene.clone();
-        setting.apply(&mut scene).usage()?;
-        let lines = measure(cpu, &scene, setting.label(), &part.methods(), repetitions)?;
-        measured.push(Measured::new(part, setting, lines));
     }
     Ok(measured)
 }
 
-fn load(path: &Path) -> Result<Scene, Failure> {
-    let path = locate::scene(Some(path)).usage()?;
-    scene::load(&path).with_context(|| format!("bad scene {}", path.display())).usage()
+/// The lines of a setting: of an animation, the means over its frames.
+fn measure_setting(
+    part: Part,
+    setting: &Setting,
+    cpu: &mut Cpu,
+    repetitions: usize,
+) -> Result<Vec<BenchLine>, Failure> {
+    let (path, methods) = (locate::scene(Some(Path::new(setting.scene))).usage()?, part.methods(setting));
+    let mut frames = Vec::new();
+    for frame in setting.frame_numbers() {
+        let mut scene = locate::load(&path, frame)?;
+        setting.apply(&mut scene).usage()?;
+        frames.push(measure(cpu, &scene, setting.label(), &methods, repetitions)?);
+    }
+    Ok(mean(&frames))
 }
 
 fn measure(
@@ -158,7 +161,7 @@ fn scenes(options: &Options, cpu: &mut Cpu) -> Result<(), Failure> {
 
 /// Measures a scene at each size, distance of the eyes and number of lights.
 fn measure_scene(options: &Options, path: &Path, cpu: &mut Cpu) -> Result<Vec<BenchLine>, Failure> {
-    let loaded = load(path)?;
+    let loaded = locate::load(&locate::scene(Some(path)).usage()?, 0)?;
     let sizes = or_default(&options.size, &[[600, 600]]);
     let distances = or_default(&options.interaxial, &[15.0, 50.0]);
     let numbers = or_default(&options.lights, &[5]);

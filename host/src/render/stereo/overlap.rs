@@ -1,7 +1,7 @@
 //! How many sources land on one pixel, and how many can at most (Lemma 1 of 000 §3.1.2.1).
 
 use parallax_shared::layout::{Hit, Reprojection};
-use parallax_shared::stereo::reprojection::target;
+use parallax_shared::stereo::reprojection::{is_sampled, target};
 use serde::Serialize;
 use std::ops::AddAssign;
 
@@ -25,7 +25,11 @@ impl Overlap {
             sources.fill(0);
             for x in 0..p.width {
                 let column = if p.mirrored == 0 { x } else { p.width - 1 - x };
-                let landing = target(p, row[column as usize].t, x);
+                let t = row[column as usize].t;
+                if p.sparse != 0 && !is_sampled(t) {
+                    continue;
+                }
+                let landing = target(p, t, x);
                 if let Some(sources) = usize::try_from(landing).ok().and_then(|x| sources.get_mut(x)) {
                     *sources += 1;
                     overlap.landed += 1;

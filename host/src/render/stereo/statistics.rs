@@ -5,8 +5,7 @@ use super::Plan;
 use super::overlap::{Overlap, lemma_bound};
 use super::savings::Surfaces;
 use crate::render::band::Pair;
-use crate::render::{Depth, RayTotals, SceneData};
-use clap::ValueEnum;
+use crate::render::{Depth, RayTotals, SceneData, value_name};
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::RayCounts;
 use parallax_shared::stereo::source::{self, BAD, GAP, GUIDED, HOLE, REUSED, UNGUIDED, UNSAMPLED, VERIFIED};
@@ -121,6 +120,8 @@ pub struct StereoReport {
     pub first: String,
     /// Slots per pixel of a 3D buffer: `lemma`, `adaptive` or their number.
     pub depth: String,
+    /// Rays per pixel.
+    pub samples: String,
     /// See [`StereoStatistics`].
     pub reused: u64,
     /// See [`StereoStatistics`].
@@ -176,14 +177,15 @@ impl StereoReport {
         let (first, second) = (&statistics.first_rays, &statistics.second_rays);
         let less = |first: u64, second: u64| first as i64 - second as i64;
         Self {
-            verify: name(&plan.options.verify()),
-            shadows: name(&plan.options.shadows),
-            first: name(&plan.options.first),
+            verify: value_name(&plan.options.verify()),
+            shadows: value_name(&plan.options.shadows),
+            first: value_name(&plan.options.first),
             depth: match plan.options.depth {
                 Depth::Lemma => "lemma".into(),
                 Depth::Adaptive => "adaptive".into(),
                 Depth::Fixed(depth) => depth.to_string(),
             },
+            samples: plan.options.samples.to_string(),
             reused,
             verified,
             holes,
@@ -211,11 +213,6 @@ impl StereoReport {
             saved_percent: 100.0 * (1.0 - share(second.all(), first.all())),
         }
     }
-}
-
-/// The name of an option's value on the command line.
-fn name(value: &impl ValueEnum) -> String {
-    value.to_possible_value().map_or_else(String::new, |value| value.get_name().into())
 }
 
 /// What surfaces of a scene with these effects make rays do at most; materials without a diffuse part are not told apart.
