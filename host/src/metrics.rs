@@ -1,9 +1,11 @@
 //! How far a picture is from another one.
 
+use crate::render::ViewImages;
 use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::Hit;
 use parallax_shared::output::tonemap::srgb8_colour;
 use rayon::prelude::*;
+use serde::Serialize;
 
 /// Linear colours as 8-bit sRGB, as PNG files have them: what the errors below are of.
 pub fn srgb8(colours: &[[f32; 4]]) -> Vec<[u8; 3]> {
@@ -61,9 +63,55 @@ pub fn error_shares(
     if all > 0.0 { errors.map(|error| error / all) } else { errors }
 }
 
-/// Whether disparities are more than a pixel apart; the bounded ray's own rounding is allowed for.
+/// How far apart disparities may be that rounding to whole pixels explains: the bounded ray's own rounding is allowed for.
+const TOLERATED_PX: f32 = 1.001;
+
 fn is_wrong(interaxial_px: f32, shown: &Hit, truth: &Hit) -> bool {
-    (disparity_px(interaxial_px, shown.t) - disparity_px(interaxial_px, truth.t)).abs() > 1.001
+    let disparity = |hit: &Hit| disparity_px(interaxial_px, hit.t);
+    disparity_error(disparity(shown), disparity(truth)) > TOLERATED_PX
+}
+
+/// How far a view is from the truth.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ViewError {
+    /// See [`mse`].
+    pub mse: f64,
+    /// See [`psnr`]; +∞ (in JSON: null) for equal pictures.
+    pub psnr_db: f64,
+    /// Percentage of the pixels whose colours differ.
+    pub differing_percent: f64,
+    /// Their mean distance in units of 8-bit sRGB.
+    pub distance: f64,
+    /// Percentage of the pixels whose disparity is wrong by more than a pixel.
+    pub wrong_depth_percent: f64,
+    /// The largest error of a disparity, in pixels.
+    pub largest_disparity_error_px: f32,
+}
+
+impl ViewError {
+    /// That of `shown`, which has as many pixels as the truth.
+    pub fn new(shown: &ViewImages, truth: &ViewImages) -> Self {
+        let colours =
+            |view: &ViewImages| view.colour.par_iter().map(|c| srgb8_colour(*c)).collect::<Vec<_>>();
+        let (picture, reference) = (colours(shown), colours(truth));
+        let mse = mse(&picture, &reference);
+        let (share, distance) = differing(&picture, &reference);
+        let errors = || shown.disparity.iter().zip(&truth.disparity).map(|(a, b)| disparity_error(*a, *b));
+        let wrong = errors().filter(|error| *error > TOLERATED_PX).count();
+        Self {
+            mse,
+            psnr_db: psnr(mse),
+            differing_percent: 100.0 * share,
+            distance,
+            wrong_depth_percent: 100.0 * wrong as f64 / shown.disparity.len().max(1) as f64,
+            largest_disparity_error_px: errors().fold(0.0, f32::max),
+        }
+    }
+}
+
+/// Of equal infinities there is none.
+fn disparity_error(a: f32, b: f32) -> f32 {
+    if a == b { 0.0 } else { (a - b).abs() }
 }
 
 fn squared_distance(a: &[u8; 3], b: &[u8; 3]) -> f64 {
@@ -105,6 +153,17 @@ mod tests {
         let (shown, truth) = ([hit(2.0), hit(2.0), hit(2.0)], [hit(1.98), hit(f32::INFINITY), hit(2.0)]);
         assert_eq!(wrong_depth(10.0, &shown, &truth), 1.0 / 3.0);
         assert_eq!(wrong_depth(10.0, &[], &[]), 0.0);
+    }
+
+    #[test]
+    fn a_view_has_all_its_errors() {
+        let view = |colour, disparity| ViewImages { colour, disparity, ..ViewImages::default() };
+        let truth = view(vec![[0.0; 3], [1.0; 3]], vec![2.0, f32::INFINITY]);
+        let same = ViewError::new(&truth, &truth);
+        assert_eq!((same.mse, same.psnr_db, same.largest_disparity_error_px), (0.0, f64::INFINITY, 0.0));
+        let error = ViewError::new(&view(vec![[1.0, 0.0, 0.0], [1.0; 3]], vec![4.5, f32::INFINITY]), &truth);
+        assert_eq!((error.mse, error.differing_percent, error.distance), (255.0 * 255.0 / 6.0, 50.0, 255.0));
+        assert_eq!((error.wrong_depth_percent, error.largest_disparity_error_px), (50.0, 2.5));
     }
 
     #[test]

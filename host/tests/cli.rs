@@ -66,13 +66,20 @@ fn help_is_there_and_has_examples() {
 #[test]
 fn bad_usage_is_code_2() {
     let folder = folder();
-    let cases: [(&[&str], &str); 11] = [
+    let cases: [(&[&str], &str); 15] = [
         (&["bench", "stereo", "model.obj", "--part", "target"], "cannot be used with"),
         (&["bench", "stereo", "--size", "8x8"], "required arguments were not provided"),
         (&["paint"], "unrecognized subcommand"),
         (&["render", "--colour"], "unexpected argument"),
         (&["render", "model.obj", "--backend", "tpu"], "[possible values: auto, cpu, gpu]"),
         (&["render", "model.obj", "--method", "magic"], "[possible values: naive"),
+        (&["render", "model.obj", "--samples", "9x9"], "adaptive-1 to adaptive-4"),
+        (&["render", "model.obj", "--tolerance", "0.1"], "--tolerance is for adaptive --samples"),
+        (&["info", "model.obj", "--method", "guided", "--samples", "nine"], "`guided` has one ray per pixel"),
+        (
+            &["render", "model.obj", "--size", "9000x9", "--samples", "4x4"],
+            "4 × 4 points each is not supported",
+        ),
         (&["render", "model.obj", "--size", "0x5"], "for example 800x600"),
         (&["render", "model.obj", "--size", "40000x4"], "a picture of 40000x4 is not supported"),
         (&["render", "model.obj", "--size", "32768x32768"], "at most 268435456"),
@@ -186,6 +193,48 @@ fn second_views_are_measured_by_every_method() {
     }
     assert!(costs.iter().all(|line| line["value"].as_f64().is_some_and(|cost| cost > 0.0)));
     assert!(lines.iter().any(|line| line["metric"] == "mse" && line["bench"] == "stereo"));
+}
+
+#[test]
+fn maps_show_how_the_second_view_was_made_and_how_far_it_is_from_the_truth() {
+    let folder = folder();
+    let render = |options: &[&str]| {
+        let common = ["render", "model.obj", "--size", "32x24", "--backend", "cpu", "--maps", "--json", "-"];
+        let run = parallax(folder.path(), &[&common[..], &["--format", "anaglyph"], options].concat());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        let report = json(&run.stdout);
+        let names = report["files"].as_array().unwrap().iter().map(|file| file.as_str().unwrap().to_owned());
+        let names: Vec<_> = names.map(|name| name.rsplit(['/', '\\']).next().unwrap().to_owned()).collect();
+        (report, names)
+    };
+    let (report, names) = render(&["--method", "atomic", "--reference"]);
+    let maps = ["map", "disparity", "rays", "time", "error"].map(|what| format!("model_{what}.png"));
+    assert_eq!(names[..5], maps);
+    for number in ["mse", "differing_percent", "distance", "wrong_depth_percent"] {
+        assert!(report["error"][number].is_f64(), "{number} in {report}");
+    }
+    assert!(report["maps"]["time_us"].as_f64().unwrap() > 0.0);
+    let (report, names) = render(&["--samples", "2x2"]);
+    assert_eq!(names[..2], ["model_disparity.png", "model_rays.png"], "nothing was inferred");
+    assert!(report["error"].is_null() && report["maps"]["rays"].as_u64().unwrap() >= 4);
+    let (_, names) = render(&["--method", "scanline", "--samples", "adaptive-1"]);
+    assert_eq!(names[0], "model_map.png");
+}
+
+#[test]
+fn what_a_method_will_do_is_told_without_rendering() {
+    let folder = folder();
+    let info = |options: &[&str]| {
+        let arguments =
+            [&["info", "model.obj", "--size", "32x24", "--interaxial", "4", "--json", "-"], options];
+        json(&parallax(folder.path(), &arguments.concat()).stdout)["method"].clone()
+    };
+    let naive = info(&[]);
+    assert_eq!((&naive["method"], &naive["verify"]), (&"naive".into(), &Value::Null));
+    let buffer = info(&["--method", "buffer", "--depth", "3", "--first", "right", "--samples", "2x2"]);
+    assert_eq!((&buffer["slots"], &buffer["first"]), (&3.into(), &"right".into()));
+    assert_eq!((&buffer["columns"], &buffer["verify"]), (&64.into(), &"all".into()));
+    assert_eq!(buffer["interaxial"], 8.0);
 }
 
 #[test]

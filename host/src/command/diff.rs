@@ -62,6 +62,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     let Loaded { scene, path, warnings, .. } = options.scene.load()?;
     report::warn(&warnings);
     let data = SceneData::new(&scene, Quality::Full).usage()?;
+    stereo.check_size(&data).usage()?;
     let mut gpu = Gpu::open(options.profile, options.adapter.as_deref()).work()?;
     let mut cpu = Cpu::new(options.threads).work()?;
     let mut progress = Progress::new();

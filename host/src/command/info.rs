@@ -1,10 +1,12 @@
 //! `parallax info`.
 
 use super::failure::{Blame, Failure};
-use super::options::{Loaded, SceneOptions};
+use super::options::{Loaded, MethodOptions, SceneOptions};
 use super::report::{self, JsonOption, grouped};
 use parallax::build::{Quality, Stats};
 use parallax::render::SceneData;
+use parallax::render::stereo::Plan;
+use parallax::render::stereo::plan_report::PlanReport;
 use parallax::scene::{Scene, Sky};
 use parallax_shared::layout::View;
 use serde::Serialize;
@@ -18,6 +20,8 @@ pub struct Options {
     #[command(flatten)]
     scene: SceneOptions,
     #[command(flatten)]
+    method: MethodOptions,
+    #[command(flatten)]
     json: JsonOption,
 }
 
@@ -29,6 +33,7 @@ struct Report {
     contents: Contents,
     effects: Vec<&'static str>,
     camera: Camera,
+    method: PlanReport,
     bvh: Stats,
     scale: f32,
     warnings: Vec<String>,
@@ -68,13 +73,16 @@ struct Eye {
 
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    let stereo = options.method.stereo()?;
     let Loaded { scene, path, warnings, .. } = options.scene.load()?;
     report::warn(&warnings);
     let data = SceneData::new(&scene, Quality::Full).usage()?;
+    let plan = Plan::new(&data, &stereo, true).usage()?;
     options.json.publish(&Report {
         contents: Contents::of(&scene),
         effects: data.effect_names(),
         camera: Camera::of(&scene, &data),
+        method: PlanReport::new(&data, &plan),
         bvh: data.stats,
         scale: data.scale,
         scene: scene.name,
@@ -163,6 +171,7 @@ impl fmt::Display for Report {
         writeln!(f, "  effects     {effects}; up to {max_depth} reflections and refractions in a row")?;
         writeln!(f, "  scale       all coordinates times {:e}", self.scale)?;
         self.camera.fmt(f)?;
+        writeln!(f, "  method      {}", self.method)?;
         let Stats { nodes, packs, fill, depth, stack, bytes, sah_cost } = self.bvh;
         writeln!(f, "  bvh         {} nodes, {} packs", grouped(nodes as u64), grouped(packs as u64))?;
         writeln!(f, "              {:.1} % full, depth {depth}, stack {stack}", 100.0 * fill)?;

@@ -5,11 +5,13 @@ use super::frames::{self, Frames};
 use super::options::{DeviceOptions, Loaded, MethodOptions, SceneOptions};
 use super::progress::Progress;
 use super::report::{self, JsonOption, duration, grouped};
-use parallax::backend::{self, Backend, Device};
+use parallax::backend::{self, Backend, Cpu, Device};
 use parallax::build::Quality;
-use parallax::output::{self, Format};
+use parallax::metrics::ViewError;
+use parallax::output::{self, Diagnostics, Format, Scales};
 use parallax::render::stereo::statistics::StereoReport;
-use parallax::render::{self, RayTotals, SceneData, StageTime, StereoOptions};
+use parallax::render::stereo::time_view;
+use parallax::render::{self, Frame, Method, RayTotals, Samples, SceneData, StageTime, StereoOptions};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use std::fmt;
@@ -25,10 +27,19 @@ Examples:
   parallax render model.ply --interaxial 20 --aov --out pictures
   parallax render --backend gpu --adapter llvmpipe --json -
   parallax render --method atomic --verify edges --first right
+  parallax render spheres --method atomic --maps --reference
+  parallax render default --samples adaptive-2 --method scanline
   parallax render spheres_turned --frames 0..239 --out turning    (stopped, it goes on where it was)
 
 Files: NAME.exr holds both views in linear light (attribute multiView; with --aov also t, disparity, prim_id
-and normal); NAME_left.png, NAME_right.png, NAME_anaglyph.png and NAME_side-by-side.png are sRGB.";
+and normal); NAME_left.png, NAME_right.png, NAME_anaglyph.png and NAME_side-by-side.png are sRGB.
+
+Maps (of the view that is made from the other one):
+  map        reused grey, verified blue, hole orange, gap yellow, bad red, guided light blue, unguided green
+  disparity  blue behind the zero-parallax plane, red in front of it
+  rays       lighter pixels took more rays, of all kinds
+  time       lighter pixels take longer, measured on the processor
+  error      distance from the traced view, in 8-bit colours times 25.5";
 
 /// Options of `parallax render`.
 #[derive(clap::Args)]
@@ -46,6 +57,14 @@ pub struct Options {
     /// Add t, disparity, primitive id and normal to the EXR file.
     #[arg(long)]
     aov: bool,
+    /// Write pictures of how the second view was made: NAME_map.png (what became of each pixel), NAME_disparity.png,
+    /// NAME_rays.png and, with one ray per pixel, NAME_time.png.
+    #[arg(long)]
+    maps: bool,
+    /// Render the pair by the method `naive`, too, and tell how far the second view is from it; with --maps also
+    /// NAME_error.png.
+    #[arg(long)]
+    reference: bool,
     /// Frames of an animation, first and last: NAME_000000.exr and so on. What is there already is kept.
     #[arg(long, value_name = "A..B")]
     frames: Option<Frames>,
@@ -75,6 +94,10 @@ struct Report {
     rays: RayTotals,
     #[serde(skip_serializing_if = "Option::is_none")]
     stereo: Option<StereoReport>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<ViewError>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    maps: Option<Scales>,
     warnings: Vec<String>,
     files: Vec<PathBuf>,
 }
@@ -134,7 +157,7 @@ fn settings(
     let rig = &first.scene.rig;
     let mut content = DefaultHasher::new();
     content.write(&std::fs::read(&first.path).work()?);
-    let settings: [(_, Value); 11] = [
+    let settings: [(_, Value); 13] = [
         ("version", env!("CARGO_PKG_VERSION").into()),
         ("scene", format!("{:016x}", content.finish()).into()),
         ("width", rig.width.into()),
@@ -146,6 +169,8 @@ fn settings(
         ("profile", options.device.selection().profile.name().into()),
         ("format", format!("{:?}", options.format).into()),
         ("aov", options.aov.into()),
+        ("maps", options.maps.into()),
+        ("reference", options.reference.into()),
     ];
     Ok(settings.map(|(key, value)| (key.to_string(), value)).into_iter().collect())
 }
@@ -163,6 +188,7 @@ fn render(
     let mut stages = vec![StageTime { view: None, stage: "load", seconds }];
     let mut clock = Clock(Instant::now());
     let data = SceneData::new(&scene, Quality::Full).usage()?;
+    stereo.check_size(&data).usage()?;
     stages.push(clock.stage("build"));
 
     let mut progress = Progress::new();
@@ -171,8 +197,26 @@ fn render(
     drop(progress);
     stages.extend(frame.times);
 
+    let second = stereo.first.eyes()[1];
+    let reference = match options.reference {
+        true => Some(reference(stereo, &data, device, name)?.images),
+        false => None,
+    };
+    let error =
+        reference.as_ref().map(|truth| ViewError::new(&frame.images.views[second], &truth.views[second]));
     clock = Clock(Instant::now());
-    let files = output::write(&frame.images, &options.out, name, options.format, options.aov).work()?;
+    let (images, maps, mut files) = (&frame.images, &frame.maps, Vec::new());
+    let mut scales = None;
+    if options.maps {
+        let seconds = times(options, stereo, &data)?;
+        let (seconds, reference) = (seconds.as_deref(), reference.as_ref());
+        let shown = Diagnostics { images, maps, second, seconds, reference };
+        let (pictures, of_maps) = output::write_maps(&shown, &options.out, name).work()?;
+        files.extend(pictures);
+        scales = Some(of_maps);
+        stages.push(clock.stage("maps"));
+    }
+    files.extend(output::write(images, &options.out, name, options.format, options.aov).work()?);
     stages.push(clock.stage("write files"));
     Ok(Report {
         scene: scene.name,
@@ -190,9 +234,33 @@ fn render(
         seconds: started.elapsed().as_secs_f64(),
         rays: frame.rays,
         stereo: frame.stereo,
+        error,
+        maps: scales,
         warnings,
         files,
     })
+}
+
+/// The same pair, traced.
+fn reference(
+    stereo: &StereoOptions,
+    data: &SceneData,
+    device: &mut Device,
+    name: &str,
+) -> Result<Frame, Failure> {
+    let naive = StereoOptions { first: stereo.first, samples: stereo.samples, ..StereoOptions::default() };
+    let (mut progress, what) = (Progress::new(), format!("{name}, the reference"));
+    let mut tell = |done, total| progress.update(&what, done, total);
+    render::render(device, data, &naive, &mut tell).work()
+}
+
+/// How long each pixel of the second view takes, where that is known.
+fn times(options: &Options, stereo: &StereoOptions, data: &SceneData) -> Result<Option<Vec<f32>>, Failure> {
+    if stereo.samples != Samples::One || stereo.method == Method::Ideal {
+        return Ok(None);
+    }
+    let mut cpu = Cpu::new(options.device.selection().threads).work()?;
+    Ok(Some(time_view::seconds(&mut cpu, data, stereo).work()?))
 }
 
 /// Times one thing after another.
@@ -241,9 +309,29 @@ impl fmt::Display for Report {
             writeln!(f, "Second view")?;
             tell_stereo(f, stereo)?;
         }
+        if let Some(error) = &self.error {
+            tell_error(f, error)?;
+        }
+        if let Some(Scales { disparity_px, rays, time_us }) = self.maps {
+            let time = time_us.map_or(String::new(), |us| format!(", {us:.1} µs"));
+            writeln!(f, "Maps: full colour is a disparity of {disparity_px:.1} px, white {rays} rays{time}")?;
+        }
         writeln!(f, "Wrote")?;
         self.files.iter().try_for_each(|file| writeln!(f, "  {}", file.display()))
     }
+}
+
+/// How far the second view is from the traced one.
+fn tell_error(f: &mut fmt::Formatter, error: &ViewError) -> fmt::Result {
+    let ViewError { mse, psnr_db, differing_percent, distance, .. } = *error;
+    let ViewError { wrong_depth_percent, largest_disparity_error_px, .. } = *error;
+    writeln!(f, "Error against `naive`")?;
+    writeln!(f, "  MSE {mse:.4}, PSNR {psnr_db:.1} dB")?;
+    writeln!(f, "  {differing_percent:.2} % of the pixels differ, by {distance:.2} of 255 on average")?;
+    writeln!(
+        f,
+        "  {wrong_depth_percent:.3} % have another depth; disparities differ by up to {largest_disparity_error_px:.1} px"
+    )
 }
 
 /// What the second view was made of.

@@ -5,9 +5,11 @@
 
 mod batch;
 mod exr;
+mod maps;
 mod png;
 
 pub use batch::Batch;
+pub use maps::{Diagnostics, KINDS, Scales, write_maps};
 
 use crate::render::StereoImages;
 use std::path::{Path, PathBuf};

@@ -2,6 +2,7 @@
 
 use super::band::{Band, Values};
 use super::stereo::Plan;
+use super::stereo::maps::PixelMaps;
 use super::stereo::statistics::{StereoReport, StereoStatistics};
 use super::{
     RayTotals, RenderError, Renderer, SceneData, StageTime, StereoImages, StereoOptions, ViewImages,
@@ -19,6 +20,8 @@ pub struct Frame {
     pub rays: RayTotals,
     /// What the second view was made of, if it was made from the first.
     pub stereo: Option<StereoReport>,
+    /// What became of each pixel.
+    pub maps: PixelMaps,
     /// Time of each stage, the upload of the scene included.
     pub times: Vec<StageTime>,
 }
@@ -36,7 +39,7 @@ pub fn render<B: Backend>(
 ) -> Result<Frame, RenderError> {
     let plan = Plan::new(data, options, true)?;
     let mut images = allocate(data)?;
-    let mut rays = RayTotals::default();
+    let (mut rays, mut maps) = (RayTotals::default(), PixelMaps::default());
     let mut statistics = None;
     let mut renderer = Renderer::new(backend, data)?;
     let [width, height] = [images.width, images.height];
@@ -49,6 +52,7 @@ pub fn render<B: Backend>(
             *statistics.get_or_insert_default() += band;
         }
         let (source, second) = (&pair.source, &pair.second);
+        maps.append(&plan, &pair);
         source.rays().chain(second.rays()).for_each(|stage| rays += stage);
         append(&mut images.views[first], source, &data.views[first], band, data.scale);
         append(&mut images.views[other], second, &data.views[other], band, data.scale);
@@ -56,7 +60,7 @@ pub fn render<B: Backend>(
     }
     debug_assert_eq!(images.views[0].t.len(), width as usize * height as usize);
     let stereo = statistics.map(|statistics| StereoReport::new(data, &plan, &statistics));
-    Ok(Frame { images, rays, stereo, times: renderer.finish() })
+    Ok(Frame { images, rays, stereo, maps, times: renderer.finish() })
 }
 
 fn allocate(data: &SceneData) -> Result<StereoImages, RenderError> {

@@ -227,6 +227,14 @@ impl StereoOptions {
             _ => self.samples.check(),
         }
     }
+
+    /// Whether pictures of `data` can have so many points.
+    ///
+    /// # Errors
+    /// When they cannot.
+    pub fn check_size(&self, data: &SceneData) -> Result<(), RenderError> {
+        self.samples.grid().map_or(Ok(()), |grid| grid.checked_view(&data.views[0]).map(|_| ()))
+    }
 }
 
 #[cfg(test)]

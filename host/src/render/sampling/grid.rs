@@ -70,7 +70,7 @@ impl Grid {
 
     /// Invocations of a pass over the points of a level.
     pub fn invocations(points: &View) -> [u32; 3] {
-        let steps = |points: u32, log2: u32| (points - 1 >> log2) + 1;
+        let steps = |points: u32, log2: u32| ((points - 1) >> log2) + 1;
         [steps(points.width, points.spacing_log2), steps(points.rows, points.spacing_log2), 1]
     }
 }

@@ -4,11 +4,14 @@
 //! traces what is missing and copies colours; `light` shades what was traced; `gloss` shades reused points again where they shine.
 //! Only scenes that reflect, and images of more than colours, need surfaces (`inherit`).
 
+pub mod maps;
 pub mod overlap;
+pub mod plan_report;
 pub mod savings;
 pub mod second;
 pub mod statistics;
 pub(super) mod tables;
+pub mod time_view;
 mod unseen;
 
 use super::band::BandBuffers;
@@ -94,6 +97,11 @@ impl Plan {
     /// For the picture, without rows.
     pub fn of_picture(&self) -> &Reprojection {
         &self.reprojection
+    }
+
+    /// Whether the colours of points that the source shows are copied.
+    pub(super) fn copies(&self) -> bool {
+        self.reprojection.copies != 0
     }
 
     /// Whether the light that points of the source see is theirs in the second view, too.

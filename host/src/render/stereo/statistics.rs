@@ -3,9 +3,10 @@
 
 use super::Plan;
 use super::overlap::{Overlap, lemma_bound};
+use super::plan_report::PlanReport;
 use super::savings::Surfaces;
 use crate::render::band::Pair;
-use crate::render::{Depth, RayTotals, SceneData, value_name};
+use crate::render::{RayTotals, SceneData};
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::RayCounts;
 use parallax_shared::stereo::source::{self, BAD, GAP, GUIDED, HOLE, REUSED, UNGUIDED, UNSAMPLED, VERIFIED};
@@ -112,16 +113,9 @@ impl AddAssign for StereoStatistics {
 /// The statistics of a picture as reports have them, beside what the papers' formulas say.
 #[derive(Clone, Debug, Serialize)]
 pub struct StereoReport {
-    /// What was verified.
-    pub verify: String,
-    /// How lights were looked for.
-    pub shadows: String,
-    /// The view that was traced.
-    pub first: String,
-    /// Slots per pixel of a 3D buffer: `lemma`, `adaptive` or their number.
-    pub depth: String,
-    /// Rays per pixel.
-    pub samples: String,
+    /// How it was to be made.
+    #[serde(flatten)]
+    pub plan: PlanReport,
     /// See [`StereoStatistics`].
     pub reused: u64,
     /// See [`StereoStatistics`].
@@ -142,8 +136,6 @@ pub struct StereoReport {
     pub r: f64,
     /// The traced share of the pixels.
     pub m: f64,
-    /// From this column on every candidate was verified; counted from the right if the right view was the first.
-    pub checked_from: u32,
     /// Rays for verification; those that found something are among the primary rays too.
     pub verification_rays: u64,
     /// Rays that the second view needed less than the first.
@@ -177,15 +169,7 @@ impl StereoReport {
         let (first, second) = (&statistics.first_rays, &statistics.second_rays);
         let less = |first: u64, second: u64| first as i64 - second as i64;
         Self {
-            verify: value_name(&plan.options.verify()),
-            shadows: value_name(&plan.options.shadows),
-            first: value_name(&plan.options.first),
-            depth: match plan.options.depth {
-                Depth::Lemma => "lemma".into(),
-                Depth::Adaptive => "adaptive".into(),
-                Depth::Fixed(depth) => depth.to_string(),
-            },
-            samples: plan.options.samples.to_string(),
+            plan: PlanReport::new(data, plan),
             reused,
             verified,
             holes,
@@ -196,7 +180,6 @@ impl StereoReport {
             lemma_bound: lemma_bound(p.interaxial_px, nearest_t),
             r: nearest_t.map_or(0.0, |t| 1.0 / f64::from(t)),
             m: statistics.m(),
-            checked_from: p.checked_from,
             verification_rays: statistics.verification_rays(),
             rays_saved: RaysSaved {
                 primary: less(first.primary, second.primary),
