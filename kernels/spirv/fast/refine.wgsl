@@ -8,339 +8,513 @@ var<immediate> r3: Push;
 fn refine(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
   var r0: array<u32, 12>;
   var r1: array<u32, 12>;
-  var p48: bool;
-  var p433: u32;
-  var p435: u32;
-  var p270: u32;
-  var p280: u32;
-  var p290: u32;
-  var p300: u32;
-  var p310: u32;
-  let v360 = global_invocation_id[0u];
-  let v361 = global_invocation_id[1u];
-  let v366 = r2[5u][2u];
-  let v19 = (v366 & 31u);
-  let v20 = (1u << (v19 & 31u));
-  let v21 = (v360 << (v19 & 31u));
-  let v22 = (v361 << (v19 & 31u));
-  let v23 = (v21 + v20);
-  let v367 = r2[0u][3u];
-  let v26 = (v23 < v367);
-  if v26 {
-    let v27 = (v22 + v20);
-    let v368 = r2[3u][3u];
-    let v30 = (v27 < v368);
-    if v30 {
-      let v369 = r2[5u][3u];
-      let v33 = (v369 == 0u);
-      let v34 = (v33 != true);
-      if v34 {
-        let v35 = (4294967294u << (v19 & 31u));
-        let v36 = (v22 & v35);
-        let v37 = (v36 + v20);
-        let v38 = (v37 * v367);
-        let v39 = (v21 & v35);
-        let v40 = (v39 + v20);
-        let v41 = (v40 + v38);
-        let v370 = atomicLoad(&r6[v41]);
-        let v46 = (v370 & 4294901760u);
-        let v47 = (v46 != 458752u);
-        p48 = v47;
+  var p50: bool;
+  var p553: u32;
+  var p555: u32;
+  var p360: u32;
+  var p365: u32;
+  var p378: bool;
+  var p385: u32;
+  var p394: u32;
+  var p395: bool;
+  var p408: u32;
+  var p409: bool;
+  var p399: u32;
+  var p401: bool;
+  var p608: u32;
+  var p416: u32;
+  var p359: bool;
+  var p271: bool;
+  var p275: u32;
+  var p290: bool;
+  var p294: u32;
+  var p309: bool;
+  var p313: u32;
+  var p329: bool;
+  var p333: u32;
+  var p349: bool;
+  var p353: u32;
+  let v480 = global_invocation_id[0u];
+  let v481 = global_invocation_id[1u];
+  let v486 = r2[5u][2u];
+  let v20 = (v486 & 31u);
+  let v21 = (1u << (v20 & 31u));
+  let v23 = (v480 << (v20 & 31u));
+  let v24 = (v481 << (v20 & 31u));
+  let v25 = (v23 + v21);
+  let v487 = r2[0u][3u];
+  let v28 = (v25 < v487);
+  if v28 {
+    let v29 = (v24 + v21);
+    let v488 = r2[3u][3u];
+    let v32 = (v29 < v488);
+    if v32 {
+      let v489 = r2[5u][3u];
+      let v35 = (v489 == 0u);
+      let v36 = (v35 != true);
+      if v36 {
+        let v37 = (4294967294u << (v20 & 31u));
+        let v38 = (v24 & v37);
+        let v39 = (v38 + v21);
+        let v40 = (v39 * v487);
+        let v41 = (v23 & v37);
+        let v42 = (v41 + v21);
+        let v43 = (v42 + v40);
+        let v490 = atomicLoad(&r6[v43]);
+        let v48 = (v490 & 4294901760u);
+        let v49 = (v48 != 458752u);
+        p50 = v49;
       } else {
-        p48 = v33;
+        p50 = v35;
       }
-      let v48 = p48;
-      if v48 {
-        let v49 = (v22 * v367);
-        let v50 = (v49 + v21);
-        let v51 = (v23 + v49);
-        let v52 = (v27 * v367);
-        let v53 = (v52 + v21);
-        let v54 = (v52 + v23);
-        let v371 = (v50 * 2u);
-        let v372 = r4[v371];
-        let v373 = v372[0u];
-        let v377 = v372[1u];
-        let v381 = v372[2u];
-        let v383 = (v51 * 2u);
-        let v384 = r4[v383];
-        let v385 = v384[0u];
-        let v389 = v384[1u];
-        let v393 = v384[2u];
-        let v395 = (v53 * 2u);
-        let v396 = r4[v395];
-        let v397 = v396[0u];
-        let v401 = v396[1u];
-        let v405 = v396[2u];
-        let v407 = (v54 * 2u);
-        let v408 = r4[v407];
-        let v409 = v408[0u];
-        let v413 = v408[1u];
-        let v417 = v408[2u];
-        r1[0u] = v373;
-        r1[1u] = v377;
-        r1[2u] = v381;
-        r1[3u] = v385;
-        r1[4u] = v389;
-        r1[5u] = v393;
-        r1[6u] = v397;
-        r1[7u] = v401;
-        r1[8u] = v405;
-        r1[9u] = v409;
-        r1[10u] = v413;
-        r1[11u] = v417;
-        let v431 = r3.w0;
-        let v432 = bitcast<f32>(v431);
-        p433 = 0u;
-        p435 = 0u;
+      let v50 = p50;
+      if v50 {
+        let v51 = (v24 * v487);
+        let v52 = (v51 + v23);
+        let v53 = (v25 + v51);
+        let v54 = (v29 * v487);
+        let v55 = (v54 + v23);
+        let v56 = (v54 + v25);
+        let v491 = (v52 * 2u);
+        let v492 = r4[v491];
+        let v493 = v492[0u];
+        let v497 = v492[1u];
+        let v501 = v492[2u];
+        let v503 = (v53 * 2u);
+        let v504 = r4[v503];
+        let v505 = v504[0u];
+        let v509 = v504[1u];
+        let v513 = v504[2u];
+        let v515 = (v55 * 2u);
+        let v516 = r4[v515];
+        let v517 = v516[0u];
+        let v521 = v516[1u];
+        let v525 = v516[2u];
+        let v527 = (v56 * 2u);
+        let v528 = r4[v527];
+        let v529 = v528[0u];
+        let v533 = v528[1u];
+        let v537 = v528[2u];
+        r1[0u] = v493;
+        r1[1u] = v497;
+        r1[2u] = v501;
+        r1[3u] = v505;
+        r1[4u] = v509;
+        r1[5u] = v513;
+        r1[6u] = v517;
+        r1[7u] = v521;
+        r1[8u] = v525;
+        r1[9u] = v529;
+        r1[10u] = v533;
+        r1[11u] = v537;
+        let v551 = r3.w0;
+        let v552 = bitcast<f32>(v551);
+        p553 = 0u;
+        p555 = 0u;
         var done0 = false;
         loop {
           if done0 { break; }
-          let v433 = p433;
-          let v435 = p435;
-          let v436 = r1[v435];
-          let v437 = bitcast<f32>(v436);
-          let v438 = (v435 + 1u);
-          let v439 = r1[v438];
-          let v440 = bitcast<f32>(v439);
-          let v441 = (v435 + 2u);
-          let v442 = r1[v441];
-          let v443 = bitcast<f32>(v442);
-          let v107 = (v437 > 0.0f);
-          let v108 = select(0.0f, v437, v107);
-          let v109 = (v108 < 1.0f);
-          let v110 = select(1.0f, v108, v109);
-          let v111 = (v440 > 0.0f);
-          let v112 = select(0.0f, v440, v111);
-          let v113 = (v112 < 1.0f);
-          let v114 = select(1.0f, v112, v113);
-          let v115 = (v443 > 0.0f);
-          let v116 = select(0.0f, v443, v115);
-          let v117 = (v116 < 1.0f);
-          let v118 = select(1.0f, v116, v117);
-          let v444 = bitcast<u32>(v110);
-          let v445 = (v433 * 3u);
-          r0[v445] = v444;
-          let v447 = bitcast<u32>(v114);
-          let v449 = (v445 + 1u);
-          r0[v449] = v447;
-          let v451 = bitcast<u32>(v118);
-          let v453 = (v445 + 2u);
-          r0[v453] = v451;
-          let v455 = (v433 + 1u);
-          let v456 = (v455 == 4u);
-          let v497 = (v435 + 3u);
-          p433 = v455;
-          p435 = v497;
-          done0 = v456;
+          let v553 = p553;
+          let v555 = p555;
+          let v556 = r1[v555];
+          let v557 = bitcast<f32>(v556);
+          let v558 = (v555 + 1u);
+          let v559 = r1[v558];
+          let v560 = bitcast<f32>(v559);
+          let v561 = (v555 + 2u);
+          let v562 = r1[v561];
+          let v563 = bitcast<f32>(v562);
+          let v109 = (v557 > 0.0f);
+          let v110 = select(0.0f, v557, v109);
+          let v111 = (v110 < 1.0f);
+          let v112 = select(1.0f, v110, v111);
+          let v113 = (v560 > 0.0f);
+          let v114 = select(0.0f, v560, v113);
+          let v115 = (v114 < 1.0f);
+          let v116 = select(1.0f, v114, v115);
+          let v117 = (v563 > 0.0f);
+          let v118 = select(0.0f, v563, v117);
+          let v119 = (v118 < 1.0f);
+          let v120 = select(1.0f, v118, v119);
+          let v564 = bitcast<u32>(v112);
+          let v565 = (v553 * 3u);
+          r0[v565] = v564;
+          let v567 = bitcast<u32>(v116);
+          let v569 = (v565 + 1u);
+          r0[v569] = v567;
+          let v571 = bitcast<u32>(v120);
+          let v573 = (v565 + 2u);
+          r0[v573] = v571;
+          let v575 = (v553 + 1u);
+          let v576 = (v575 == 4u);
+          let v653 = (v555 + 3u);
+          p553 = v575;
+          p555 = v653;
+          done0 = v576;
         }
-        let v457 = r0[0u];
-        let v458 = bitcast<f32>(v457);
-        let v459 = r0[1u];
-        let v460 = bitcast<f32>(v459);
-        let v461 = r0[2u];
-        let v462 = bitcast<f32>(v461);
-        let v463 = r0[3u];
-        let v464 = bitcast<f32>(v463);
-        let v465 = r0[4u];
-        let v466 = bitcast<f32>(v465);
-        let v467 = r0[5u];
-        let v468 = bitcast<f32>(v467);
-        let v469 = r0[6u];
-        let v470 = bitcast<f32>(v469);
-        let v471 = r0[7u];
-        let v472 = bitcast<f32>(v471);
-        let v473 = r0[8u];
-        let v474 = bitcast<f32>(v473);
-        let v475 = r0[9u];
-        let v476 = bitcast<f32>(v475);
-        let v477 = r0[10u];
-        let v478 = bitcast<f32>(v477);
-        let v479 = r0[11u];
-        let v480 = bitcast<f32>(v479);
-        let v147 = (v458 - v464);
-        let v148 = (v460 - v466);
-        let v149 = (v462 - v468);
-        let v150 = (v147 > v432);
-        let v151 = (v148 > v432);
-        let v152 = (v150 | v151);
-        let v153 = (v149 > v432);
+        let v577 = r0[0u];
+        let v578 = bitcast<f32>(v577);
+        let v579 = r0[1u];
+        let v580 = bitcast<f32>(v579);
+        let v581 = r0[2u];
+        let v582 = bitcast<f32>(v581);
+        let v583 = r0[3u];
+        let v584 = bitcast<f32>(v583);
+        let v585 = r0[4u];
+        let v586 = bitcast<f32>(v585);
+        let v587 = r0[5u];
+        let v588 = bitcast<f32>(v587);
+        let v589 = r0[6u];
+        let v590 = bitcast<f32>(v589);
+        let v591 = r0[7u];
+        let v592 = bitcast<f32>(v591);
+        let v593 = r0[8u];
+        let v594 = bitcast<f32>(v593);
+        let v595 = r0[9u];
+        let v596 = bitcast<f32>(v595);
+        let v597 = r0[10u];
+        let v598 = bitcast<f32>(v597);
+        let v599 = r0[11u];
+        let v600 = bitcast<f32>(v599);
+        let v149 = (v578 - v584);
+        let v150 = (v580 - v586);
+        let v151 = (v582 - v588);
+        let v152 = (v149 > v552);
+        let v153 = (v150 > v552);
         let v154 = (v152 | v153);
-        let v155 = -(v147);
-        let v156 = (v432 < v155);
-        let v157 = (v156 | v154);
-        let v158 = -(v148);
-        let v159 = (v432 < v158);
-        let v160 = (v159 | v157);
-        let v161 = -(v149);
-        let v162 = (v432 < v161);
-        let v163 = (v162 | v160);
-        let v164 = (v458 - v470);
-        let v165 = (v460 - v472);
-        let v166 = (v462 - v474);
-        let v167 = (v164 > v432);
-        let v168 = (v165 > v432);
-        let v169 = (v167 | v168);
-        let v170 = (v166 > v432);
+        let v155 = (v151 > v552);
+        let v156 = (v154 | v155);
+        let v157 = -(v149);
+        let v158 = (v552 < v157);
+        let v159 = (v158 | v156);
+        let v160 = -(v150);
+        let v161 = (v552 < v160);
+        let v162 = (v161 | v159);
+        let v163 = -(v151);
+        let v164 = (v552 < v163);
+        let v165 = (v164 | v162);
+        let v166 = (v578 - v590);
+        let v167 = (v580 - v592);
+        let v168 = (v582 - v594);
+        let v169 = (v166 > v552);
+        let v170 = (v167 > v552);
         let v171 = (v169 | v170);
-        let v172 = -(v164);
-        let v173 = (v432 < v172);
-        let v174 = (v173 | v171);
-        let v175 = -(v165);
-        let v176 = (v432 < v175);
-        let v177 = (v176 | v174);
-        let v178 = -(v166);
-        let v179 = (v432 < v178);
-        let v180 = (v179 | v177);
-        let v181 = (v163 | v180);
-        let v182 = (v458 - v476);
-        let v183 = (v460 - v478);
-        let v184 = (v462 - v480);
-        let v185 = (v182 > v432);
-        let v186 = (v183 > v432);
-        let v187 = (v185 | v186);
-        let v188 = (v184 > v432);
+        let v172 = (v168 > v552);
+        let v173 = (v171 | v172);
+        let v174 = -(v166);
+        let v175 = (v552 < v174);
+        let v176 = (v175 | v173);
+        let v177 = -(v167);
+        let v178 = (v552 < v177);
+        let v179 = (v178 | v176);
+        let v180 = -(v168);
+        let v181 = (v552 < v180);
+        let v182 = (v181 | v179);
+        let v183 = (v165 | v182);
+        let v184 = (v578 - v596);
+        let v185 = (v580 - v598);
+        let v186 = (v582 - v600);
+        let v187 = (v184 > v552);
+        let v188 = (v185 > v552);
         let v189 = (v187 | v188);
-        let v190 = -(v182);
-        let v191 = (v432 < v190);
-        let v192 = (v191 | v189);
-        let v193 = -(v183);
-        let v194 = (v432 < v193);
-        let v195 = (v194 | v192);
-        let v196 = -(v184);
-        let v197 = (v432 < v196);
-        let v198 = (v197 | v195);
-        let v199 = (v181 | v198);
-        let v200 = (v464 - v470);
-        let v201 = (v466 - v472);
-        let v202 = (v468 - v474);
-        let v203 = (v200 > v432);
-        let v204 = (v201 > v432);
-        let v205 = (v203 | v204);
-        let v206 = (v202 > v432);
+        let v190 = (v186 > v552);
+        let v191 = (v189 | v190);
+        let v192 = -(v184);
+        let v193 = (v552 < v192);
+        let v194 = (v193 | v191);
+        let v195 = -(v185);
+        let v196 = (v552 < v195);
+        let v197 = (v196 | v194);
+        let v198 = -(v186);
+        let v199 = (v552 < v198);
+        let v200 = (v199 | v197);
+        let v201 = (v183 | v200);
+        let v202 = (v584 - v590);
+        let v203 = (v586 - v592);
+        let v204 = (v588 - v594);
+        let v205 = (v202 > v552);
+        let v206 = (v203 > v552);
         let v207 = (v205 | v206);
-        let v208 = -(v200);
-        let v209 = (v432 < v208);
-        let v210 = (v209 | v207);
-        let v211 = -(v201);
-        let v212 = (v432 < v211);
-        let v213 = (v212 | v210);
-        let v214 = -(v202);
-        let v215 = (v432 < v214);
-        let v216 = (v215 | v213);
-        let v217 = (v216 | v199);
-        let v218 = (v464 - v476);
-        let v219 = (v466 - v478);
-        let v220 = (v468 - v480);
-        let v221 = (v218 > v432);
-        let v222 = (v219 > v432);
-        let v223 = (v221 | v222);
-        let v224 = (v220 > v432);
+        let v208 = (v204 > v552);
+        let v209 = (v207 | v208);
+        let v210 = -(v202);
+        let v211 = (v552 < v210);
+        let v212 = (v211 | v209);
+        let v213 = -(v203);
+        let v214 = (v552 < v213);
+        let v215 = (v214 | v212);
+        let v216 = -(v204);
+        let v217 = (v552 < v216);
+        let v218 = (v217 | v215);
+        let v219 = (v218 | v201);
+        let v220 = (v584 - v596);
+        let v221 = (v586 - v598);
+        let v222 = (v588 - v600);
+        let v223 = (v220 > v552);
+        let v224 = (v221 > v552);
         let v225 = (v223 | v224);
-        let v226 = -(v218);
-        let v227 = (v432 < v226);
-        let v228 = (v227 | v225);
-        let v229 = -(v219);
-        let v230 = (v432 < v229);
-        let v231 = (v230 | v228);
-        let v232 = -(v220);
-        let v233 = (v432 < v232);
-        let v234 = (v233 | v231);
-        let v235 = (v234 | v217);
-        let v236 = (v470 - v476);
-        let v237 = (v472 - v478);
-        let v238 = (v474 - v480);
-        let v239 = (v236 > v432);
-        let v240 = (v237 > v432);
-        let v241 = (v239 | v240);
-        let v242 = (v238 > v432);
+        let v226 = (v222 > v552);
+        let v227 = (v225 | v226);
+        let v228 = -(v220);
+        let v229 = (v552 < v228);
+        let v230 = (v229 | v227);
+        let v231 = -(v221);
+        let v232 = (v552 < v231);
+        let v233 = (v232 | v230);
+        let v234 = -(v222);
+        let v235 = (v552 < v234);
+        let v236 = (v235 | v233);
+        let v237 = (v236 | v219);
+        let v238 = (v590 - v596);
+        let v239 = (v592 - v598);
+        let v240 = (v594 - v600);
+        let v241 = (v238 > v552);
+        let v242 = (v239 > v552);
         let v243 = (v241 | v242);
-        let v244 = -(v236);
-        let v245 = (v432 < v244);
-        let v246 = (v245 | v243);
-        let v247 = -(v237);
-        let v248 = (v432 < v247);
-        let v249 = (v248 | v246);
-        let v250 = -(v238);
-        let v251 = (v432 < v250);
-        let v252 = (v251 | v249);
-        let v253 = (v252 | v235);
-        if v253 {
-          let v254 = (v20 >> (1u & 31u));
-          let v255 = (v254 + v21);
-          let v256 = (v255 + v49);
-          let v257 = (v254 + v22);
-          let v258 = (v257 * v367);
-          let v259 = (v258 + v21);
-          let v260 = (v258 + v255);
-          let v261 = (v258 + v23);
-          let v262 = (v255 + v52);
-          let v481 = r3.w1;
-          let v265 = (v481 == 1u);
-          if v265 {
-            let v482 = r5[v256];
-            p270 = v482;
+        let v244 = (v240 > v552);
+        let v245 = (v243 | v244);
+        let v246 = -(v238);
+        let v247 = (v552 < v246);
+        let v248 = (v247 | v245);
+        let v249 = -(v239);
+        let v250 = (v552 < v249);
+        let v251 = (v250 | v248);
+        let v252 = -(v240);
+        let v253 = (v552 < v252);
+        let v254 = (v253 | v251);
+        let v255 = (v254 | v237);
+        if v255 {
+          let v256 = (v21 >> (1u & 31u));
+          let v258 = (v21 >> (2u & 31u));
+          let v260 = (v258 != 0u);
+          if v260 {
+            p360 = 0u;
+            var done1 = false;
+            loop {
+              if done1 { break; }
+              let v360 = p360;
+              let v361 = (v360 * v256);
+              let v362 = (v361 + v24);
+              p365 = 0u;
+              var done2 = false;
+              loop {
+                if done2 { break; }
+                let v365 = p365;
+                let v366 = (v365 | v360);
+                let v367 = (v366 & 1u);
+                let v368 = (v367 != 0u);
+                if v368 {
+                  let v369 = (v365 * v256);
+                  let v370 = (v369 + v23);
+                  let v372 = (v487 * v362);
+                  let v373 = (v372 + v370);
+                  let v602 = r3.w1;
+                  let v375 = (v602 != 1u);
+                  if v375 {
+                    p608 = v373;
+                    p378 = false;
+                  } else {
+                    p608 = 0u;
+                    p378 = true;
+                  }
+                  let v378 = p378;
+                  if v378 {
+                    let v605 = r5[v373];
+                    let v383 = (v605 >= 131072u);
+                    if v383 {
+                      p385 = 1u;
+                      var done3 = false;
+                      loop {
+                        if done3 { break; }
+                        let v385 = p385;
+                        let v386 = (v370 < v385);
+                        let v387 = (v386 != true);
+                        if v387 {
+                          let v388 = (v373 - v385);
+                          let v606 = r5[v388];
+                          let v393 = (v606 >= 131072u);
+                          p394 = v606;
+                          p395 = v393;
+                        } else {
+                          p395 = v386;
+                        }
+                        let v394 = p394;
+                        let v395 = p395;
+                        if v395 {
+                          let v396 = (v385 + v370);
+                          let v397 = (v396 < v487);
+                          let v398 = (v397 != true);
+                          if v397 {
+                            let v402 = (v385 + v373);
+                            let v607 = r5[v402];
+                            let v407 = (v607 >= 131072u);
+                            p408 = v607;
+                            p409 = v407;
+                          } else {
+                            p409 = v398;
+                          }
+                          let v408 = p408;
+                          let v409 = p409;
+                          if v409 {
+                            let v410 = (v385 + 1u);
+                            let v411 = (v385 == v258);
+                            p399 = v410;
+                            p416 = v605;
+                            p401 = v411;
+                          } else {
+                            p416 = v408;
+                            p401 = true;
+                          }
+                        } else {
+                          p416 = v394;
+                          p401 = true;
+                        }
+                        let v399 = p399;
+                        let v401 = p401;
+                        p385 = v399;
+                        done3 = v401;
+                      }
+                    } else {
+                      p416 = v605;
+                    }
+                    p608 = v373;
+                  } else {
+                    p416 = 196607u;
+                  }
+                  let v608 = p608;
+                  let v416 = p416;
+                  let v611 = atomicLoad(&r6[v608]);
+                  let v420 = (v611 & 4294901760u);
+                  let v421 = (v420 == 458752u);
+                  if v421 {
+                    atomicStore(&r6[v608], v416);
+                  }
+                }
+                let v422 = (v365 + 1u);
+                let v423 = (v422 == 3u);
+                p365 = v422;
+                done2 = v423;
+              }
+              let v363 = (v360 + 1u);
+              let v364 = (v363 == 3u);
+              p360 = v363;
+              done1 = v364;
+            }
+            p359 = false;
           } else {
-            p270 = 196607u;
+            p359 = true;
           }
-          let v270 = p270;
-          let v483 = atomicLoad(&r6[v256]);
-          let v274 = (v483 & 4294901760u);
-          let v275 = (v274 == 458752u);
-          if v275 {
-            atomicStore(&r6[v256], v270);
-          }
-          if v265 {
-            let v485 = r5[v259];
-            p280 = v485;
-          } else {
-            p280 = 196607u;
-          }
-          let v280 = p280;
-          let v486 = atomicLoad(&r6[v259]);
-          let v284 = (v486 & 4294901760u);
-          let v285 = (v284 == 458752u);
-          if v285 {
-            atomicStore(&r6[v259], v280);
-          }
-          if v265 {
-            let v488 = r5[v260];
-            p290 = v488;
-          } else {
-            p290 = 196607u;
-          }
-          let v290 = p290;
-          let v489 = atomicLoad(&r6[v260]);
-          let v294 = (v489 & 4294901760u);
-          let v295 = (v294 == 458752u);
-          if v295 {
-            atomicStore(&r6[v260], v290);
-          }
-          if v265 {
-            let v491 = r5[v261];
-            p300 = v491;
-          } else {
-            p300 = 196607u;
-          }
-          let v300 = p300;
-          let v492 = atomicLoad(&r6[v261]);
-          let v304 = (v492 & 4294901760u);
-          let v305 = (v304 == 458752u);
-          if v305 {
-            atomicStore(&r6[v261], v300);
-          }
-          if v265 {
-            let v494 = r5[v262];
-            p310 = v494;
-          } else {
-            p310 = 196607u;
-          }
-          let v310 = p310;
-          let v495 = atomicLoad(&r6[v262]);
-          let v314 = (v495 & 4294901760u);
-          let v315 = (v314 == 458752u);
-          if v315 {
-            atomicStore(&r6[v262], v310);
+          let v359 = p359;
+          if v359 {
+            let v262 = (v256 + v23);
+            let v265 = (v51 + v262);
+            let v614 = r3.w1;
+            let v267 = (v614 != 1u);
+            if v267 {
+              p271 = false;
+            } else {
+              p271 = true;
+            }
+            let v271 = p271;
+            if v271 {
+              let v617 = r5[v265];
+              p275 = v617;
+            } else {
+              p275 = 196607u;
+            }
+            let v275 = p275;
+            let v619 = atomicLoad(&r6[v265]);
+            let v279 = (v619 & 4294901760u);
+            let v280 = (v279 == 458752u);
+            if v280 {
+              atomicStore(&r6[v265], v275);
+            }
+            let v281 = (v256 + v24);
+            let v283 = (v487 * v281);
+            let v284 = (v283 + v23);
+            if v267 {
+              p290 = false;
+            } else {
+              p290 = true;
+            }
+            let v290 = p290;
+            if v290 {
+              let v625 = r5[v284];
+              p294 = v625;
+            } else {
+              p294 = 196607u;
+            }
+            let v294 = p294;
+            let v627 = atomicLoad(&r6[v284]);
+            let v298 = (v627 & 4294901760u);
+            let v299 = (v298 == 458752u);
+            if v299 {
+              atomicStore(&r6[v284], v294);
+            }
+            let v303 = (v283 + v262);
+            if v267 {
+              p309 = false;
+            } else {
+              p309 = true;
+            }
+            let v309 = p309;
+            if v309 {
+              let v633 = r5[v303];
+              p313 = v633;
+            } else {
+              p313 = 196607u;
+            }
+            let v313 = p313;
+            let v635 = atomicLoad(&r6[v303]);
+            let v317 = (v635 & 4294901760u);
+            let v318 = (v317 == 458752u);
+            if v318 {
+              atomicStore(&r6[v303], v313);
+            }
+            let v319 = (v21 & 2u);
+            let v320 = (v319 + v23);
+            let v323 = (v283 + v320);
+            if v267 {
+              p329 = false;
+            } else {
+              p329 = true;
+            }
+            let v329 = p329;
+            if v329 {
+              let v641 = r5[v323];
+              p333 = v641;
+            } else {
+              p333 = 196607u;
+            }
+            let v333 = p333;
+            let v643 = atomicLoad(&r6[v323]);
+            let v337 = (v643 & 4294901760u);
+            let v338 = (v337 == 458752u);
+            if v338 {
+              atomicStore(&r6[v323], v333);
+            }
+            let v339 = (v319 + v24);
+            let v342 = (v487 * v339);
+            let v343 = (v342 + v262);
+            if v267 {
+              p349 = false;
+            } else {
+              p349 = true;
+            }
+            let v349 = p349;
+            if v349 {
+              let v649 = r5[v343];
+              p353 = v649;
+            } else {
+              p353 = 196607u;
+            }
+            let v353 = p353;
+            let v651 = atomicLoad(&r6[v343]);
+            let v357 = (v651 & 4294901760u);
+            let v358 = (v357 == 458752u);
+            if v358 {
+              atomicStore(&r6[v343], v353);
+            }
           }
         }
       }

@@ -1,9 +1,9 @@
 //! A lattice of which nothing is known.
 
 use glam::UVec3;
-use kernel_api::{At, Out, spirv};
+use kernel_api::{Out, spirv};
 use parallax_shared::layout::{Hit, View};
-use parallax_shared::sampling::lattice::{UNSAMPLED_HIT, first_word};
+use parallax_shared::sampling::lattice::{UNSAMPLED_HIT, first_word, plan};
 use parallax_shared::stereo::source::{HOLE, traced};
 
 /// Lets the points of the level that `view` has be sampled, as `planned` if `plans` is 1, else traced; the others wait for `refine`.
@@ -18,8 +18,9 @@ pub fn begin(
 ) {
     if id.x < view.width && id.y < view.rows {
         let at = id.y * view.width + id.x;
-        let plan = if *plans == 1 { planned.at(at) } else { traced(HOLE) };
-        words.put(at, first_word(view, id.x, id.y, plan));
+        let reach = (1 << view.spacing_log2) >> 1;
+        let planned = if *plans == 1 { plan(planned, view.width, id.x, id.y, reach) } else { traced(HOLE) };
+        words.put(at, first_word(view, id.x, id.y, planned));
         hits.put(at, UNSAMPLED_HIT);
     }
 }

@@ -4,6 +4,7 @@ use core::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use glam::{UVec3, Vec3};
 use kernel_api::{At, spirv};
 use parallax_shared::layout::{Refinement, Sample, View};
+use parallax_shared::sampling::lattice::plan;
 use parallax_shared::sampling::refine::{Cell, differ, is_sampled};
 use parallax_shared::stereo::source::{HOLE, traced};
 
@@ -23,12 +24,17 @@ pub fn refine(
     if view.refines == 0 || is_sampled(word(cell.middle_of_parent(view.width))) {
         let colours = cell.corners(view.width).map(|at| Vec3::from_array(samples.at_ref(at).colour));
         if differ(colours, refinement.tolerance) {
-            for at in cell.between(view.width) {
-                let plan = if refinement.plans == 1 { planned.at(at) } else { traced(HOLE) };
+            cell.between(|column, row| {
+                let at = row * view.width + column;
+                let reach = cell.side >> 2;
+                let word_of_point = match refinement.plans {
+                    1 => plan(planned, view.width, column, row, reach),
+                    _ => traced(HOLE),
+                };
                 if !is_sampled(word(at)) {
-                    words.at_ref(at).store(plan, Relaxed);
+                    words.at_ref(at).store(word_of_point, Relaxed);
                 }
-            }
+            });
         }
     }
 }

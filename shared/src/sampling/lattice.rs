@@ -8,7 +8,8 @@
 //! Where a point comes from says its word (`stereo::source`), in the first view too.
 
 use crate::layout::{Hit, NONE, View};
-use crate::stereo::source::{UNSAMPLED, traced};
+use crate::stereo::source::{UNSAMPLED, is_reused, traced};
+use kernel_api::At;
 
 /// The point that an invocation samples: column, and row of the band; none outside, or where the level before has been.
 #[inline(always)]
@@ -23,6 +24,29 @@ pub fn point(view: &View, x: u32, y: u32) -> Option<[u32; 2]> {
 pub fn first_word(view: &View, column: u32, row: u32, planned: u32) -> u32 {
     let between = (1 << view.spacing_log2) - 1;
     if (column | row) & between == 0 { planned } else { traced(UNSAMPLED) }
+}
+
+/// The plan for a point: what was `planned` for it or, if nothing of the source lands on it, for the nearest point of its row (the left
+/// one of two) that something lands on, within `reach` columns.
+///
+/// 001 asks for a ray to land on the very point. On a coarse level, where the points of both views are few, that would be a matter of luck:
+/// with points each 4 columns, a surface at one depth has all of them or none. Half the distance to the next point of the level is as near
+/// as one ray per pixel comes; where that makes a difference, colours differ, and the next level is twice as strict.
+#[inline(always)]
+pub fn plan(planned: &[u32], columns: u32, column: u32, row: u32, reach: u32) -> u32 {
+    let first = row * columns;
+    let word = planned.at(first + column);
+    let mut apart = 1;
+    while apart <= reach && !is_reused(word) {
+        if column >= apart && is_reused(planned.at(first + column - apart)) {
+            return planned.at(first + column - apart);
+        }
+        if column + apart < columns && is_reused(planned.at(first + column + apart)) {
+            return planned.at(first + column + apart);
+        }
+        apart += 1;
+    }
+    word
 }
 
 /// The hit of a point that was not sampled: reprojection leaves it out (`stereo::reprojection::is_sampled`).
@@ -48,6 +72,17 @@ mod tests {
         }
         assert_eq!(visited.len() as u32, width * rows);
         assert!(visited.iter().all(|[x, y]| *x < width && *y < rows));
+    }
+
+    #[test]
+    fn plans_come_from_the_nearest_point_within_reach() {
+        let hole = traced(crate::stereo::source::HOLE);
+        let planned = [7, hole, hole, hole, hole, 8, hole, 9];
+        let from = |column, reach| plan(&planned, 8, column, 0, reach);
+        assert_eq!([from(5, 2), from(2, 2), from(3, 2), from(6, 1)], [8, 7, 8, 8]);
+        assert_eq!([from(2, 1), from(6, 0)], [hole, hole], "too far");
+        assert_eq!(plan(&planned, 4, 3, 0, 3), 7, "the next row is another one");
+        assert_eq!(plan(&planned, 4, 0, 1, 1), 8);
     }
 
     #[test]

@@ -54,12 +54,20 @@ impl Cell {
         [(0, 0), (side, 0), (0, side), (side, side)].map(|(right, down)| self.point(width, right, down))
     }
 
-    /// The points that a division adds: of each edge the middle, and that of the cell.
+    /// Calls `visit` with column and row of each point that a division adds: of each edge the middle, and that of the cell.
     #[inline(always)]
-    pub fn between(&self, width: u32) -> [u32; 5] {
-        let (half, side) = (self.side >> 1, self.side);
-        [(half, 0), (0, half), (half, half), (side, half), (half, side)]
-            .map(|(right, down)| self.point(width, right, down))
+    pub fn between(&self, mut visit: impl FnMut(u32, u32)) {
+        let (half, mut down) = (self.side >> 1, 0);
+        while down < 3 {
+            let mut right = 0;
+            while right < 3 {
+                if (right | down) & 1 == 1 {
+                    visit(self.column + right * half, self.row + down * half);
+                }
+                right += 1;
+            }
+            down += 1;
+        }
     }
 }
 
@@ -112,8 +120,8 @@ mod tests {
             assert_eq!(quarter.middle_of_parent(WIDTH), parent.middle(WIDTH));
             assert!(quarter.corners(WIDTH).contains(&parent.middle(WIDTH)));
         }
-        let around = parent.between(WIDTH).into_iter().chain(parent.corners(WIDTH));
-        let mut points: Vec<_> = around.collect();
+        let mut points = parent.corners(WIDTH).to_vec();
+        parent.between(|column, row| points.push(row * WIDTH + column));
         points.sort_unstable();
         assert_eq!(points, [4, 6, 8, 22, 24, 26, 40, 42, 44]);
     }

@@ -251,7 +251,8 @@ fn jittered(scene: &'static str, n: u32, quick: bool) -> Setting {
 fn adaptive_settings(quick: bool) -> Vec<Setting> {
     let with = |scene, materials, levels| {
         let samples = Samples::Adaptive { levels, tolerance: TOLERANCE };
-        Setting { samples, ..Setting::adelson(scene, materials) }.shrunk(quick)
+        // Nine columns of points for each pixel: a smaller picture does.
+        Setting { samples, ..Setting::adelson(scene, materials) }.shrunk(quick || levels > 2)
     };
     let of_table_1 = [Materials::Opaque, Materials::Mirrors, Materials::Glass, Materials::Own]
         .map(|materials| ("ellipsoids_125", materials));
