@@ -9,10 +9,12 @@
 
 pub mod arrays;
 pub mod lanes;
+pub mod occluder;
 pub mod ray;
 pub mod round;
 pub mod rows;
 pub mod rules;
+pub mod shaft;
 pub mod slab;
 pub mod walk;
 

@@ -6,7 +6,7 @@ use crate::layout::Ray;
 use crate::math::{div, max, min};
 
 /// 1/d is clamped to this, so that zero and denormal components of a direction need no case of their own.
-const LARGEST_INVERSE: f32 = 1e18;
+pub(super) const LARGEST_INVERSE: f32 = 1e18;
 
 /// At which word of a triangle's vertex x, y and z start.
 pub(crate) const XYZ_AT: [usize; 3] = [0, LANES, 2 * LANES];
@@ -103,7 +103,7 @@ impl Prepared {
 
 /// 1/x within ±10¹⁸ (10¹⁸ for NaN).
 #[inline(always)]
-fn clamped_inverse(x: f32) -> f32 {
+pub(super) fn clamped_inverse(x: f32) -> f32 {
     max(min(div(1.0, x), LARGEST_INVERSE), -LARGEST_INVERSE)
 }
 
