@@ -5,9 +5,11 @@
 
 pub mod bounce;
 pub mod primary;
+pub mod prove;
 pub mod rays;
 pub mod sampling;
 pub mod shade;
 pub mod shadow;
+pub mod shadow_proven;
 pub mod stereo;
 pub mod surface;

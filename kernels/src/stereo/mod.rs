@@ -9,6 +9,7 @@ pub mod recall;
 pub mod scanline;
 pub mod scanline_rtl;
 pub mod settle;
+pub mod shadow_guided;
 pub mod shifts;
 pub mod slots;
 pub mod splat;

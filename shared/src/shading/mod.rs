@@ -8,6 +8,7 @@ pub mod bounce;
 pub mod fresnel;
 pub mod light;
 pub mod phong;
+pub mod proof;
 pub mod shadow;
 pub mod sky;
 pub mod surface;
