@@ -3,11 +3,12 @@
 use super::SceneData;
 use super::buffers::SceneBuffers;
 use super::renderer::Stages;
+use super::shadows::{Proofs, Shadows};
 use super::stereo::bounces;
 use super::stereo::second::Inferred;
 use crate::backend::{Backend, BackendError};
 use kernel_api::Buffer;
-use parallax_kernels::{bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface};
+use parallax_kernels::{bounce::Bounce, primary::Primary, shade::Shade, surface::Surface};
 use parallax_shared::layout::{self, Hit, RayCounts, View};
 use parallax_shared::shading::shadow;
 
@@ -160,6 +161,8 @@ pub(super) struct BandBuffers {
     primary_rays: Buffer<RayCounts>,
     shadow_rays: Buffer<RayCounts>,
     bounced: Option<BounceBuffers>,
+    /// Where shadows are proven.
+    pub proofs: Option<Proofs>,
 }
 
 impl BandBuffers {
@@ -168,8 +171,14 @@ impl BandBuffers {
         (size_of::<layout::Surface>() as u32).max(4 * shadow::words(data.info.lights))
     }
 
-    /// Buffers for the band of `view`, poisoned: what no pass writes is found by whoever compares.
-    pub fn create<B: Backend>(backend: &mut B, data: &SceneData, view: &View) -> Result<Self, BackendError> {
+    /// Buffers for the band of `view`, poisoned: what no pass writes is found by whoever compares. `proofs`:
+    /// shadows are proven, with proofs that another view uses, too, or not.
+    pub fn create<B: Backend>(
+        backend: &mut B,
+        data: &SceneData,
+        view: &View,
+        proofs: Option<bool>,
+    ) -> Result<Self, BackendError> {
         let pixels = view.width as usize * view.rows as usize;
         Ok(Self {
             hits: backend.create("hits", pixels)?,
@@ -179,6 +188,7 @@ impl BandBuffers {
             primary_rays: backend.create("primary rays", pixels)?,
             shadow_rays: backend.create("shadow rays", pixels)?,
             bounced: bounces(data).then(|| BounceBuffers::create(backend, pixels)).transpose()?,
+            proofs: proofs.map(|shared| Proofs::create(backend, data, view, shared)).transpose()?,
         })
     }
 
@@ -195,13 +205,12 @@ impl BandBuffers {
         view: View,
         stages: &mut Stages<'_, '_, B>,
     ) -> Result<(), BackendError> {
-        let Self { hits, surfaces, shadow: seen, local, primary_rays, shadow_rays, bounced } = *self;
+        let Self { hits, surfaces, shadow: seen, local, primary_rays, shadow_rays, bounced, proofs } = *self;
         let SceneBuffers { rows, triangles, records, texels } = *scene;
         let (info, effects) = (data.info, data.effects.0);
         stages.run(&Primary { view, info, rows, hits, counts: primary_rays }, &view)?;
         stages.run(&Surface { view, info, triangles, records, hits, surfaces, effects }, &view)?;
-        let counts = shadow_rays;
-        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
+        Shadows { view, surfaces, seen, counts: shadow_rays }.run(data, scene, proofs, stages)?;
         let colours = local;
         stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)?;
         match bounced {
@@ -234,6 +243,7 @@ impl BandBuffers {
         backend.release(self.primary_rays);
         backend.release(self.shadow_rays);
         self.bounced.into_iter().for_each(|bounced| bounced.release(backend));
+        self.proofs.into_iter().for_each(|proofs| proofs.release(backend));
     }
 }
 

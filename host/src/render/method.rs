@@ -57,6 +57,9 @@ pub enum Shadows {
     Reuse,
     /// Rays are traced for each pixel.
     Trace,
+    /// The answers of `trace`, bit for bit, with fewer rays: none where nothing can hide a light from a whole tile, and what hides it
+    /// from the source is tried first. For `naive` and `guided`, whose first view is made so, too.
+    Prove,
 }
 
 /// Which view is the source.
@@ -211,7 +214,10 @@ impl StereoOptions {
             method if !method.reuses() && self.verify.is_some() => {
                 wrong("has no candidates that could be verified")
             }
-            Method::Ideal if self.shadows == Shadows::Trace => wrong("traces nothing in the second view"),
+            Method::Ideal if self.shadows != Shadows::Reuse => wrong("traces nothing in the second view"),
+            method if self.shadows == Shadows::Prove && !matches!(method, Method::Naive | Method::Guided) => {
+                wrong("has no proofs of shadows; `naive` and `guided` have")
+            }
             method if !method.reuses() && self.reflections != Reflections::Trace => {
                 wrong("reuses no reflections")
             }
@@ -281,5 +287,11 @@ mod tests {
         assert_eq!(refused(nine(Method::Guided)), "the method `guided` has one ray per pixel");
         let traced = StereoOptions { shadows: Shadows::Trace, ..nine(Method::Atomic) };
         assert!(refused(traced).contains("reuses the shadows"));
+        let proving = |method: Method| StereoOptions { shadows: Shadows::Prove, ..method.into() };
+        let told = refused(proving(Method::Atomic));
+        assert_eq!(told, "the method `atomic` has no proofs of shadows; `naive` and `guided` have");
+        assert!(proving(Method::Naive).check().is_ok() && proving(Method::Guided).check().is_ok());
+        let sampled = StereoOptions { samples: Samples::Nine, ..proving(Method::Naive) };
+        assert!(refused(sampled).contains("reuses the shadows"));
     }
 }

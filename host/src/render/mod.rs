@@ -32,6 +32,7 @@ mod renderer;
 pub mod sampling;
 pub mod scale;
 mod scene_data;
+mod shadows;
 pub mod stereo;
 mod times;
 

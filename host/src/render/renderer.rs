@@ -3,6 +3,7 @@
 use super::band::{Band, BandBuffers, EYES, Pair, Values};
 use super::sampling::buffers::SampledBuffers;
 use super::sampling::pair::SampledPair;
+use super::shadows::Proofs;
 use super::stereo::second::SecondBuffers;
 use super::stereo::{Plan, SecondView};
 use super::times::Times;
@@ -41,7 +42,8 @@ impl<'a, B: Backend> Renderer<'a, B> {
         let of_tables = 4 * plan.of_picture().depth;
         match plan.grid {
             None => {
-                let bytes = BandBuffers::bytes_per_pixel(self.data).max(of_tables);
+                let of_proofs = plan.proofs().map_or(0, |_| Proofs::bytes_per_pixel(self.data));
+                let bytes = BandBuffers::bytes_per_pixel(self.data).max(of_tables).max(of_proofs);
                 self.backend.suggested_rows(width, height, bytes)
             }
             Some(grid) => {
@@ -62,8 +64,13 @@ impl<'a, B: Backend> Renderer<'a, B> {
     /// # Errors
     /// When the backend fails; then the values of this band are lost.
     pub fn band(&mut self, eye: usize, band: Band) -> Result<Values, RenderError> {
+        self.band_proving(eye, band, None)
+    }
+
+    /// The same with proofs for tiles, which are shared or not.
+    fn band_proving(&mut self, eye: usize, band: Band, proofs: Option<bool>) -> Result<Values, RenderError> {
         let view = self.view(eye, band);
-        let buffers = BandBuffers::create(self.backend, self.data, &view)?;
+        let buffers = BandBuffers::create(self.backend, self.data, &view, proofs)?;
         let values = self.run_band(eye, view, &buffers).and_then(|()| self.read_band(eye, &buffers));
         buffers.release(self.backend);
         Ok(values?)
@@ -86,7 +93,9 @@ impl<'a, B: Backend> Renderer<'a, B> {
     pub fn pair(&mut self, plan: &Plan, band: Band) -> Result<Pair, RenderError> {
         let [first, other] = plan.options.first.eyes();
         if plan.options.method == Method::Naive && plan.grid.is_none() {
-            let (source, second) = (self.band(first, band)?, self.band(other, band)?);
+            let proofs = plan.proofs();
+            let (source, second) =
+                (self.band_proving(first, band, proofs)?, self.band_proving(other, band, proofs)?);
             return Ok(Pair { source, second, inferred: None });
         }
         let buffers = Outputs::create(self.backend, plan, self.data, &self.view(first, band))?;
@@ -224,9 +233,12 @@ impl Outputs {
         if let Some(grid) = plan.grid {
             return Ok(Self::Sampled(SampledBuffers::create(backend, plan, data, view, grid)?));
         }
-        let source = BandBuffers::create(backend, data, view)?;
+        let proofs = plan.proofs();
+        let source = BandBuffers::create(backend, data, view, proofs)?;
         Ok(match plan.options.method {
-            Method::Naive => Self::Traced { source, second: BandBuffers::create(backend, data, view)? },
+            Method::Naive => {
+                Self::Traced { source, second: BandBuffers::create(backend, data, view, proofs)? }
+            }
             _ => Self::Inferred { source, second: SecondBuffers::create(backend, plan, data, view)? },
         })
     }

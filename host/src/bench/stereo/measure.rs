@@ -241,6 +241,8 @@ mod tests {
         assert_eq!(label(&Method::Atomic.into()), "atomic");
         let options = StereoOptions { verify: Some(Verify::Edges), ..Method::Atomic.into() };
         assert_eq!(label(&options), "atomic verify=edges");
+        let options = StereoOptions { shadows: Shadows::Prove, ..Method::Guided.into() };
+        assert_eq!(label(&options), "guided shadows=prove");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What `parallax bench stereo` measures: the benchmarks of 000 (tables 5 and 6), 001 and 003, and our own aim.
 
 use crate::render::sampling::TOLERANCE;
-use crate::render::{Method, Overrides, RenderError, Samples, StereoOptions, Verify, value_name};
+use crate::render::{Method, Overrides, RenderError, Samples, Shadows, StereoOptions, Verify, value_name};
 use crate::scene::Scene;
 use clap::ValueEnum;
 
@@ -176,7 +176,13 @@ impl Part {
     fn methods_of_one_ray(self) -> Vec<StereoOptions> {
         let edges = StereoOptions { verify: Some(Verify::Edges), ..Method::Atomic.into() };
         let methods: &[Method] = match self {
-            Self::Target => &[Method::Naive, Method::Ideal],
+            Self::Target => {
+                let proving =
+                    |method| StereoOptions { shadows: Shadows::Prove, ..StereoOptions::from(method) };
+                let naive = [Method::Naive, Method::Ideal].map(StereoOptions::from);
+                let exact = [Method::Guided.into(), proving(Method::Guided), proving(Method::Naive)];
+                return naive.into_iter().chain(exact).chain([edges]).collect();
+            }
             Self::Dimensions | Self::Interaxial | Self::Lights => {
                 &[Method::Naive, Method::Ideal, Method::EsIsler, Method::Buffer, Method::Atomic]
             }

@@ -12,7 +12,7 @@ use parallax::backend::{Backend, Cpu};
 use parallax::bench::BenchLine;
 use parallax::bench::stereo::{Case, HEADLINES, Measured, Part, Setting, mean, page, stereo};
 use parallax::build::Quality;
-use parallax::render::{Method, Overrides, SceneData, StereoOptions, Verify};
+use parallax::render::{Method, Overrides, SceneData, Shadows, StereoOptions, Verify};
 use parallax::scene::Scene;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -191,7 +191,9 @@ fn methods() -> Vec<StereoOptions> {
     let every = Method::value_variants().iter().map(|&method| StereoOptions::from(method));
     let edges = [Method::Buffer, Method::Atomic]
         .map(|method| StereoOptions { verify: Some(Verify::Edges), ..method.into() });
-    every.chain(edges).collect()
+    let proving = [Method::Naive, Method::Guided]
+        .map(|method| StereoOptions { shadows: Shadows::Prove, ..method.into() });
+    every.chain(edges).chain(proving).collect()
 }
 
 /// All combinations.

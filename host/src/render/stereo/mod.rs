@@ -19,14 +19,15 @@ use super::buffers::SceneBuffers;
 use super::method::{Method, Reflections, Shadows, StereoOptions, Verify};
 use super::renderer::Stages;
 use super::sampling::Grid;
+use super::shadows;
 use super::{RenderError, SceneData};
 use crate::backend::{Backend, BackendError};
 use kernel_api::Buffer;
+use parallax_kernels::shade::Shade;
 use parallax_kernels::stereo::{
     copy::Copy, gloss::Gloss, guided::Guided, inherit::Inherit, light::Light, recall::Recall, settle::Settle,
     trace::Trace,
 };
-use parallax_kernels::{shade::Shade, shadow::Shadow};
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Reprojection, Surface, View};
 use parallax_shared::stereo::run::RUN;
@@ -107,6 +108,12 @@ impl Plan {
     /// Whether the light that points of the source see is theirs in the second view, too.
     pub(super) fn reuses_shadows(&self) -> bool {
         self.options.shadows == Shadows::Reuse && self.options.method != Method::Guided
+    }
+
+    /// Whether proofs for tiles say which lights points see; if so, whether those of the source serve the second view.
+    pub(super) fn proofs(&self) -> Option<bool> {
+        let shared = self.options.method == Method::Guided;
+        (self.options.shadows == Shadows::Prove).then_some(shared)
     }
 
     /// Words that the largest buffer with an element per pixel has for it.
@@ -221,8 +228,8 @@ impl SecondView<'_> {
         surfaces: Buffer<Surface>,
         stages: &mut Stages<'_, '_, B>,
     ) -> Result<(), BackendError> {
-        let Self { data, scene, source: first, second, view, .. } = *self;
-        let SceneBuffers { rows, triangles, records, texels } = *scene;
+        let Self { plan, data, scene, source: first, second, view, .. } = *self;
+        let SceneBuffers { triangles, records, texels, .. } = *scene;
         let (info, effects) = (data.info, data.effects.0);
         let (source, source_surfaces, hits) = (second.source, first.surfaces, second.hits);
         let inherit =
@@ -230,7 +237,14 @@ impl SecondView<'_> {
         stages.run(&inherit, &view)?;
         let Some(seen) = second.seen else { return Ok(()) };
         let (counts, colours) = (second.light_rays, second.colours);
-        stages.run(&Shadow { view, info, rows, records, surfaces, seen, counts, effects }, &view)?;
+        let shadows = shadows::Shadows { view, surfaces, seen, counts };
+        match first.proofs {
+            Some(proofs) => {
+                let towards = (plan.of_band(view.rows), second.tables.candidates);
+                shadows.run_guided(data, scene, proofs, towards, stages)?;
+            }
+            None => shadows.run(data, scene, None, stages)?,
+        }
         stages.run(&Shade { view, info, records, texels, surfaces, seen, colours, effects }, &view)
     }
 }
