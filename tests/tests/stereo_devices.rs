@@ -2,7 +2,7 @@
 
 use parallax::backend::{Cpu, Profile};
 use parallax::diff;
-use parallax::render::{First, Method, Reflections, SceneData, StereoOptions, Verify};
+use parallax::render::{First, Method, Reflections, SceneData, Shadows, StereoOptions, Verify};
 use parallax_tests::gpu::{Driver, open};
 use parallax_tests::scenes::{data_at, root};
 use parallax_tests::stereo::{REPROJECTING, pair_on, verified};
@@ -29,6 +29,10 @@ fn recalling() -> StereoOptions {
     StereoOptions { reflections: Reflections::Within(1.0), ..Method::Atomic.into() }
 }
 
+fn proving(method: Method) -> StereoOptions {
+    StereoOptions { shadows: Shadows::Prove, ..method.into() }
+}
+
 #[test]
 fn every_method_gives_the_same_bits_on_any_number_of_threads() {
     let data = scene("default");
@@ -47,7 +51,8 @@ fn assert_equal(driver: Driver, runs: usize) {
     let Some(mut gpu) = open(driver, Profile::Strict) else { return };
     for name in ["default", "spheres"] {
         let data = scene(name);
-        for options in options().chain([Method::Ideal.into(), Method::Guided.into(), recalling()]) {
+        let exact = [Method::Guided.into(), proving(Method::Guided), proving(Method::Naive)];
+        for options in options().chain([Method::Ideal.into(), recalling()]).chain(exact) {
             let once =
                 diff::against_gpu(&mut Cpu::new(0).unwrap(), &mut gpu, &data, &options, &mut |_, _| {})
                     .unwrap();

@@ -3,7 +3,7 @@
 use parallax::metrics;
 use parallax::render::{Depth, First, Method, Reflections, SceneData, Shadows, StereoOptions, Verify};
 use parallax_shared::camera::disparity_px;
-use parallax_shared::layout::Hit;
+use parallax_shared::layout::{Hit, RayCounts};
 use parallax_shared::stereo::source::{self, BAD, GAP, HOLE, is_reused};
 use parallax_tests::scenes::{data_at, load_at, name, root, shipped};
 use parallax_tests::stereo::{ORDERS, REPROJECTING, Shown, inferred, naive, pair, verified};
@@ -75,6 +75,37 @@ fn guided_rays_find_what_naive_rays_find() {
         }
     }
     assert!(guided > 10_000, "only {guided} rays had anything to begin with");
+}
+
+/// Proofs save rays and change nothing: both views of both exact methods are those of naive rays. The last tiles of the picture are cut.
+#[test]
+fn proven_shadows_are_traced_ones() {
+    let rays = |rays: &[RayCounts]| rays.iter().map(|rays| u64::from(rays.shadow)).sum::<u64>();
+    let (mut traced, mut by_tiles, mut by_source) = (0, 0, 0);
+    for path in shipped() {
+        let Some(data) = data_at(&path, [117, 77]) else { continue };
+        for first in ORDERS {
+            let what = format!("{}, {first:?}", name(&path));
+            let truth = pair(&data, &StereoOptions { first, ..Method::Naive.into() });
+            let proving = |method: Method| StereoOptions { first, shadows: Shadows::Prove, ..method.into() };
+            let naive = pair(&data, &proving(Method::Naive));
+            let guided = pair(&data, &proving(Method::Guided));
+            for made in [&naive, &guided] {
+                assert!(words(made.source.colour()) == words(truth.source.colour()), "{what}");
+                assert_eq!(made.source.shadow, truth.source.shadow, "{what}");
+                assert!(words(made.second.colour()) == words(truth.second.colour()), "{what}");
+                assert!(words(made.second.hits()) == words(truth.second.hits()), "{what}");
+                assert!(words(made.second.surfaces()) == words(truth.second.surfaces()), "{what}");
+            }
+            traced += rays(truth.second.rays()[1]);
+            by_tiles += rays(naive.second.rays()[1]);
+            by_source += rays(guided.second.rays()[1]);
+        }
+    }
+    assert!(10 * by_tiles < 9 * traced && 10 * by_source < 9 * traced, "{traced} {by_tiles} {by_source}");
+    println!(
+        "rays to lights: {traced} traced, {by_tiles} with each view's proofs, {by_source} with the source's"
+    );
 }
 
 #[test]
