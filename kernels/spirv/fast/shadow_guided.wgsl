@@ -1,4 +1,4 @@
-@group(0) @binding(0) var<uniform> r1: array<vec4<u32>, 4>;
+@group(0) @binding(0) var<uniform> r1: array<vec4<u32>, 3>;
 @group(0) @binding(1) var<uniform> r2: array<vec4<u32>, 6>;
 @group(0) @binding(2) var<uniform> r3: array<vec4<u32>, 5>;
 @group(0) @binding(3) var<storage, read> r4: array<vec4<u32>>;
