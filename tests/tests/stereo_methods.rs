@@ -94,12 +94,13 @@ fn proven_shadows_are_traced_ones() {
                 assert!(words(made.source.colour()) == words(truth.source.colour()), "{what}");
                 assert_eq!(made.source.shadow, truth.source.shadow, "{what}");
                 assert!(words(made.second.colour()) == words(truth.second.colour()), "{what}");
-                assert!(words(made.second.hits()) == words(truth.second.hits()), "{what}");
-                assert!(words(made.second.surfaces()) == words(truth.second.surfaces()), "{what}");
+                assert!(words(&made.second.hits) == words(&truth.second.hits), "{what}");
+                assert!(words(&made.second.surfaces) == words(&truth.second.surfaces), "{what}");
+                assert_eq!(made.second.shadow, truth.second.shadow, "{what}");
             }
-            traced += rays(truth.second.rays()[1]);
-            by_tiles += rays(naive.second.rays()[1]);
-            by_source += rays(guided.second.rays()[1]);
+            traced += rays(&truth.second.shadow_rays);
+            by_tiles += rays(&naive.second.shadow_rays);
+            by_source += rays(&guided.second.shadow_rays);
         }
     }
     assert!(10 * by_tiles < 9 * traced && 10 * by_source < 9 * traced, "{traced} {by_tiles} {by_source}");

@@ -16,7 +16,7 @@ use crate::traversal::shaft::{Shaft, is_clear};
 use glam::Vec3;
 use kernel_api::At;
 
-/// Side of a tile in pixels.
+/// Side of a tile in pixels, a power of two.
 pub const TILE: u32 = 8;
 /// Words of a tile's box: the smallest x, y, z and the largest ones.
 const BOX: u32 = 6;
@@ -30,7 +30,7 @@ pub fn words(lights: u32) -> u32 {
 /// Tiles along a side of so many pixels.
 #[inline(always)]
 pub fn tiles(pixels: u32) -> u32 {
-    (pixels + (TILE - 1)) / TILE
+    (pixels + (TILE - 1)) >> TILE.trailing_zeros()
 }
 
 /// Number of the tile of a pixel in a band of `view`.
@@ -55,7 +55,7 @@ impl Tile {
     #[inline(always)]
     pub fn new(view: &View, x: u32, y: u32) -> Self {
         let side = |at: u32, pixels: u32| {
-            let left = if at * TILE < pixels { pixels - at * TILE } else { 0 };
+            let left = pixels.saturating_sub(at * TILE);
             if left < TILE { left } else { TILE }
         };
         let (width, height) = (side(x, view.width), side(y, view.rows));
@@ -172,15 +172,13 @@ pub fn trace(
         while bit < 32 && word * 32 + bit < scene.info.lights {
             let number = word * 32 + bit;
             let mut hidden = NONE;
-            if lit {
-                if let Some(ray) = light::shadow_ray(surface, &scene.light(number)) {
-                    let clear = proven && proofs.at(tile + BOX + number) == 1;
-                    if !clear {
-                        counts.shadow += 1;
-                        hidden = occluder(scene.rows, &ray, scene.info.extent, expected(number));
-                    }
-                    bits |= ((hidden == NONE) as u32) << bit;
+            if lit && let Some(ray) = light::shadow_ray(surface, &scene.light(number)) {
+                let clear = proven && proofs.at(tile + BOX + number) == 1;
+                if !clear {
+                    counts.shadow += 1;
+                    hidden = occluder(scene.rows, &ray, scene.info.extent, expected(number));
                 }
+                bits |= ((hidden == NONE) as u32) << bit;
             }
             keep(number, hidden);
             bit += 1;

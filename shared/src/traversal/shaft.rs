@@ -146,6 +146,7 @@ impl Shaft {
             return fits;
         }
         let mut met = [false; LANES];
+        #[allow(clippy::needless_range_loop)] // The shape of the loops in `slab`.
         for lane in 0..LANES {
             met[lane] = self.meets_child(node, lane);
         }
