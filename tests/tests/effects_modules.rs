@@ -20,11 +20,11 @@ const PASSES: [(&str, &[Effects], f64); 5] = [
             Effects::SPHERES,
             Effects::ELLIPSOIDS,
         ],
-        0.1,
+        0.25,
     ),
-    ("shadow", &[Effects::LIGHTS], 0.05),
-    ("shade", &SHADING, 0.25),
-    ("gloss", &SHADING, 0.25),
+    ("shadow", &[Effects::LIGHTS], 0.1),
+    ("shade", &SHADING, 0.6),
+    ("gloss", &SHADING, 0.6),
     (
         "bounce",
         &[
@@ -40,7 +40,7 @@ const PASSES: [(&str, &[Effects], f64); 5] = [
             Effects::SPHERES,
             Effects::ELLIPSOIDS,
         ],
-        0.01,
+        0.05,
     ),
 ];
 
