@@ -2,7 +2,7 @@
 
 use super::paper::{COST, MSE};
 use super::plot::{Plot, Point, Series, escaped, number};
-use super::{Measured, Part};
+use super::{Measured, Part, summary};
 use crate::bench::BenchLine;
 use crate::render::Method;
 use std::fmt::Write;
@@ -26,15 +26,11 @@ pub fn page(machine: &str, measured: &[Measured]) -> String {
 fn section(part: Part, measured: &[&Measured]) -> String {
     let plots: String = plots(part, measured).iter().map(Plot::svg).collect();
     let plots = if plots.is_empty() { plots } else { format!("<div class=\"plots\">\n{plots}</div>\n") };
-    let lines = || measured.iter().flat_map(|measured| &measured.lines);
-    let table = match plots.is_empty() {
-        true => table(lines()),
-        false => {
-            format!("<details><summary>The numbers</summary>\n{}</details>\n", table(lines()))
-        }
-    };
+    let lines = measured.iter().flat_map(|measured| &measured.lines);
+    let numbers = format!("<details><summary>All numbers</summary>\n{}</details>\n", table(lines));
+    let summary = if plots.is_empty() { summary::table(measured) } else { String::new() };
     format!(
-        "<section>\n<h2>{}</h2>\n{plots}<p>{}</p>\n{table}</section>\n",
+        "<section>\n<h2>{}</h2>\n<p>{}</p>\n{plots}{summary}{numbers}</section>\n",
         escaped(&part.name()),
         part.about()
     )
@@ -143,6 +139,9 @@ mod tests {
         assert_eq!(page.matches("<tr><td>").count(), lines);
         assert_eq!(page.matches("<polyline").count(), curves);
         assert_eq!(page.matches("<h2>").count(), 4);
+        let tables = [Part::Target, Part::Table1].map(|part| part.settings(true).len());
+        assert_eq!(page.matches("<tr class=\"case\">").count(), tables.iter().sum());
+        assert!(page.contains("<small>001 table 1: 72</small>") || page.contains("<small>our aim"));
         assert!(page.contains("two cores &amp; a fan") && page.contains("000 fig. 37: lost in print"));
         assert!(page.contains("000 figs 27, 35: 19.76 to 75.44"));
     }

@@ -6,6 +6,7 @@ mod measure;
 mod paper;
 mod parts;
 mod plot;
+mod summary;
 
 pub use html::page;
 pub use measure::{Case, label, stereo};
