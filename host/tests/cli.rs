@@ -303,5 +303,13 @@ fn an_animation_goes_on_where_it_was() {
     assert!(bytes(&whole, 0) != bytes(&whole, 1), "nothing turns");
     let other = render(&["--frames", "0..3", "--out", "parts", "--aov"]);
     assert_refused(&other, 2, "another `aov` (false instead of true)");
+    let maps = ["--method", "atomic", "--maps", "--reference"];
+    let shown = render(&[&["--frames", "0..1", "--out", "shown"], &maps[..]].concat());
+    assert_eq!(shown.code, 0, "{}", shown.stderr);
+    for file in ["balls_000000_map.png", "balls_000001_map.png", "balls_000001_error.png"] {
+        assert!(names(&folder.path().join("shown")).contains(&file.into()), "{file}");
+    }
+    let without = render(&["--frames", "0..1", "--out", "shown", "--method", "atomic", "--maps"]);
+    assert_refused(&without, 2, "another `reference` (true instead of false)");
     assert_refused(&render(&["--frames", "3..1"]), 2, "expected the first and the last frame");
 }

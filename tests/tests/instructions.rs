@@ -1,10 +1,10 @@
-//! Instructions per ray and per reprojected pixel, counted by valgrind: a figure that a busy machine cannot disturb, where times tell little. It is held to
-//! the committed ones, so that a change that costs speed is seen when it is made.
+//! Instructions per ray and per reprojected pixel, counted by valgrind: a figure that a busy machine cannot disturb, where times tell
+//! little. It is held to the committed ones, so that a change that costs speed is seen when it is made.
 
 use std::process::Command;
 
-/// Instruction set, query, and instructions per ray or pixel of the release build. To be replaced by what a failure reports, when the change
-/// is meant and times agree.
+/// Instruction set, query, and instructions per ray or pixel of the release build. To be replaced by what a failure reports, when the
+/// change is meant and times agree.
 const FIGURES: [(&str, &str, f64); 6] = [
     ("SSE2", "nearest", 1999.7),
     ("SSE2", "any", 1612.7),

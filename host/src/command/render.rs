@@ -35,7 +35,8 @@ Files: NAME.exr holds both views in linear light (attribute multiView; with --ao
 and normal); NAME_left.png, NAME_right.png, NAME_anaglyph.png and NAME_side-by-side.png are sRGB.
 
 Maps (of the view that is made from the other one):
-  map        reused grey, verified blue, hole orange, gap yellow, bad red, guided light blue, unguided green
+  map        reused grey, verified blue, hole orange, gap yellow, bad red, guided light blue, unguided green,
+             not sampled black; there is none where the second view was traced
   disparity  blue behind the zero-parallax plane, red in front of it
   rays       lighter pixels took more rays, of all kinds
   time       lighter pixels take longer, measured on the processor
