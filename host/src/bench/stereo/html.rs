@@ -67,15 +67,19 @@ fn add(plot: &mut Plot, line: &BenchLine, x: f64, printed: Option<[f64; 2]>) {
     }
 }
 
+/// Each case is a heading over its lines, not a column: on a narrow screen it would leave no room for the values.
 fn table<'a>(lines: impl Iterator<Item = &'a BenchLine>) -> String {
-    let mut rows = String::new();
+    let (mut rows, mut last) = (String::new(), None);
     for line in lines {
         let BenchLine { case, method, metric, value, unit, spread, reference, .. } = line;
         let spread = if *spread > 0.0 { format!("± {}", number(spread / 2.0)) } else { String::new() };
+        if last != Some(case) {
+            let _ = writeln!(rows, "<tr><th class=\"case\" colspan=\"6\">{}</th></tr>", escaped(case));
+            last = Some(case);
+        }
         let _ = writeln!(
             rows,
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{unit}</td><td>{spread}</td><td>{}</td></tr>",
-            escaped(case),
+            "<tr><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{unit}</td><td>{spread}</td><td>{}</td></tr>",
             escaped(method),
             escaped(metric),
             number(*value),
@@ -83,7 +87,7 @@ fn table<'a>(lines: impl Iterator<Item = &'a BenchLine>) -> String {
         );
     }
     format!(
-        "<div class=\"table\"><table>\n<tr><th>case</th><th>method</th><th>what</th><th>value</th><th></th><th></th><th>paper</th></tr>\n\
+        "<div class=\"table\"><table>\n<tr><th>method</th><th>what</th><th>value</th><th></th><th></th><th>paper</th></tr>\n\
          {rows}</table></div>\n"
     )
 }
@@ -137,6 +141,7 @@ mod tests {
         }
         let page = page("two cores & a fan", &measured);
         assert_eq!(page.matches("<tr><td>").count(), lines);
+        assert_eq!(page.matches("class=\"case\"").count(), measured.len(), "a heading over each case");
         assert_eq!(page.matches("<polyline").count(), curves);
         assert_eq!(page.matches("<h2>").count(), 4);
         let tables = [Part::Target, Part::Table1].map(|part| part.settings(true).len());

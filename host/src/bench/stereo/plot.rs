@@ -6,7 +6,8 @@ use std::fmt::Write;
 const SIZE: [f64; 2] = [560.0, 320.0];
 /// What is left of, above, right of and below the axes.
 const MARGINS: [f64; 4] = [56.0, 12.0, 12.0, 44.0];
-/// Colours of the series, told apart by most eyes (Okabe and Ito 2008); markers tell the rest.
+/// Colours of the series, told apart by most eyes (Okabe and Ito 2008); when they are used up they come again with dashed lines and
+/// hollow markers.
 const COLOURS: [&str; 7] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#000000"];
 
 /// A point of a series.
@@ -29,6 +30,30 @@ pub struct Series {
     pub points: Vec<Point>,
     /// The lowest and highest value that a paper prints of it.
     pub printed: Option<[f64; 2]>,
+}
+
+/// How a series is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Style {
+    colour: &'static str,
+    is_hollow: bool,
+}
+
+impl Style {
+    /// Styles, one for each series in turn.
+    fn all() -> impl Iterator<Item = Self> {
+        let with = |is_hollow| COLOURS.into_iter().map(move |colour| Self { colour, is_hollow });
+        with(false).chain(with(true)).cycle()
+    }
+
+    fn line(self) -> &'static str {
+        if self.is_hollow { " stroke-dasharray=\"7 5\"" } else { "" }
+    }
+
+    fn marker(self) -> String {
+        let fill = if self.is_hollow { "#fff" } else { self.colour };
+        format!("fill=\"{fill}\" stroke=\"{}\"", self.colour)
+    }
 }
 
 /// A plot.
@@ -115,8 +140,8 @@ impl Plot {
         let y = Axis::new(heights.chain(printed).chain([0.0]), [SIZE[1] - bottom, top]);
         let mut svg = String::new();
         self.frame(&mut svg, &x, &y);
-        for (series, colour) in self.series.iter().zip(COLOURS.iter().cycle()) {
-            series.draw(&mut svg, colour, &x, &y);
+        for (series, style) in self.series.iter().zip(Style::all()) {
+            series.draw(&mut svg, style, &x, &y);
         }
         let title = escaped(&self.title);
         let [width, height] = SIZE;
@@ -161,7 +186,7 @@ impl Plot {
     }
 
     fn legend(&self) -> String {
-        let entry = |(series, colour): (&Series, &&str)| {
+        let entry = |(series, style): (&Series, Style)| {
             let printed = match series.printed {
                 Some([low, high]) if low < high => {
                     format!(" (pale band: paper, {} to {})", number(low), number(high))
@@ -169,14 +194,20 @@ impl Plot {
                 Some([value, _]) => format!(" (dashed: paper, {})", number(value)),
                 None => String::new(),
             };
-            format!("<span><i style=\"background:{colour}\"></i>{}{printed}</span>", escaped(&series.name))
+            let Style { colour, is_hollow } = style;
+            let inside = if is_hollow { "#fff" } else { colour };
+            format!(
+                "<span><i style=\"background:{inside};border-color:{colour}\"></i>{}{printed}</span>",
+                escaped(&series.name)
+            )
         };
-        self.series.iter().zip(COLOURS.iter().cycle()).map(entry).collect::<Vec<_>>().join(" ")
+        self.series.iter().zip(Style::all()).map(entry).collect::<Vec<_>>().join(" ")
     }
 }
 
 impl Series {
-    fn draw(&self, svg: &mut String, colour: &str, x: &Axis, y: &Axis) {
+    fn draw(&self, svg: &mut String, style: Style, x: &Axis, y: &Axis) {
+        let Style { colour, .. } = style;
         if let Some([low, high]) = self.printed {
             let (top, bottom) = (y.at(high), y.at(low));
             let _ = writeln!(
@@ -191,18 +222,20 @@ impl Series {
         let line: Vec<_> = self.points.iter().map(|p| format!("{:.1},{:.1}", x.at(p.x), y.at(p.y))).collect();
         let _ = writeln!(
             svg,
-            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"/>",
-            line.join(" ")
+            "<polyline points=\"{}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"2\"{}/>",
+            line.join(" "),
+            style.line()
         );
         for point in &self.points {
             let (at, half) = (x.at(point.x), point.spread / 2.0);
             let _ = writeln!(
                 svg,
                 "<line x1=\"{at:.1}\" x2=\"{at:.1}\" y1=\"{:.1}\" y2=\"{:.1}\" stroke=\"{colour}\"/><circle cx=\"{at:.1}\" cy=\"{:.1}\" \
-                 r=\"3\" fill=\"{colour}\"><title>{}: {} at {}</title></circle>",
+                 r=\"3\" {}><title>{}: {} at {}</title></circle>",
                 y.at(point.y - half),
                 y.at(point.y + half),
                 y.at(point.y),
+                style.marker(),
                 escaped(&self.name),
                 number(point.y),
                 number(point.x)
@@ -237,6 +270,16 @@ mod tests {
     fn numbers_are_short() {
         let texts = [0.0, 1500.0, 7.5, 0.25, 20.0, 0.001, -3.0].map(number);
         assert_eq!(texts, ["0", "1500", "7.5", "0.25", "20", "1.0e-3", "-3"]);
+    }
+
+    #[test]
+    fn no_two_series_look_alike() {
+        let styles: Vec<_> = Style::all().take(2 * COLOURS.len()).collect();
+        for (i, style) in styles.iter().enumerate() {
+            assert!(!styles[..i].contains(style), "{style:?}");
+        }
+        assert_ne!(styles[0].line(), styles[COLOURS.len()].line());
+        assert_ne!(styles[0].marker(), styles[COLOURS.len()].marker());
     }
 
     #[test]
