@@ -135,7 +135,7 @@ mod tests {
             lines += measured.lines.len();
         }
         for part in [Part::Dimensions, Part::ErrorInteraxial] {
-            let scenes = if part == Part::Dimensions { 5 } else { 1 };
+            let scenes = if part == Part::Dimensions { 3 } else { 1 };
             let methods = part.methods(&part.settings(true)[0]).len();
             curves += scenes * if part.is_error() { methods - 1 } else { methods };
         }

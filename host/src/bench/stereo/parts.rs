@@ -211,6 +211,7 @@ impl Part {
             }
             Self::Dimensions => SCENES
                 .iter()
+                .filter(|scene| !quick || ![ANIMATED, "buddha"].contains(scene))
                 .flat_map(|scene| {
                     let sides = every((4..=30).map(|i| 50 * i).collect(), &[200, 400]);
                     sides.into_iter().map(|side| Setting::matt(scene, side, 15.0).animated(quick))

@@ -28,7 +28,7 @@ Examples:
 
 /// Repetitions where none are asked for: of all parts but the target, which has 9; and in a hurry.
 const REPETITIONS: [u32; 2] = [3, 1];
-const TARGET_REPETITIONS: [u32; 2] = [9, 3];
+const TARGET_REPETITIONS: [u32; 2] = [9, 2];
 
 /// Options of `parallax bench stereo`.
 #[derive(clap::Args)]
