@@ -6,11 +6,13 @@ mod measure;
 mod paper;
 mod parts;
 mod plot;
+mod setting;
 mod summary;
 
 pub use html::page;
 pub use measure::{Case, label, stereo};
-pub use parts::{Materials, Part, Setting};
+pub use parts::Part;
+pub use setting::{Materials, Setting};
 
 use super::BenchLine;
 use crate::render::StereoOptions;

@@ -1,6 +1,7 @@
 //! What the papers print, as data. Where print has lost a table or a plot, that is what stands here.
 
-use super::parts::{Materials, Part, Setting};
+use super::parts::Part;
+use super::setting::{Materials, Setting};
 use crate::render::{Method, Samples, StereoOptions};
 use std::fmt;
 

@@ -8,7 +8,7 @@ use std::fmt::Write;
 /// The table; cells have what a paper says below our figure.
 pub fn table(measured: &[&Measured]) -> String {
     let told = |metric: &&str| measured.iter().any(|m| m.lines.iter().any(|line| line.metric == **metric));
-    let columns: Vec<&str> = HEADLINES.iter().copied().filter(|metric| told(&metric)).collect();
+    let columns: Vec<&str> = HEADLINES.iter().copied().filter(|metric| told(metric)).collect();
     let heads: String = columns.iter().map(|column| format!("<th>{}</th>", escaped(column))).collect();
     let cases: String = measured.iter().map(|measured| case(measured, &columns)).collect();
     format!(
@@ -25,7 +25,7 @@ fn case(measured: &Measured, columns: &[&str]) -> String {
         }
     }
     let mut rows = format!(
-        "<tr class=\"case\"><th colspan=\"{}\">{}</th></tr>\n",
+        "<tr class=\"setting\"><th colspan=\"{}\">{}</th></tr>\n",
         columns.len() + 1,
         escaped(&measured.setting.label())
     );
