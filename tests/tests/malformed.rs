@@ -199,9 +199,11 @@ fn the_table_names_every_file_and_other_formats_are_refused() {
 fn the_counting_allocator_counts() {
     let _alone = MEASURED.lock().unwrap();
     let before = LIVE.load(Relaxed);
-    let block = std::hint::black_box(vec![0_u8; 1 << 22]);
-    assert!(LIVE.load(Relaxed) >= before + block.len());
-    assert!(PEAK.load(Relaxed) >= before + block.len());
+    let block = std::hint::black_box(vec![0_u8; 1 << 26]);
+    // Tests that measure nothing run at the same time and may give a little back.
+    let counted = before + block.len() / 2;
+    assert!(LIVE.load(Relaxed) >= counted);
+    assert!(PEAK.load(Relaxed) >= counted);
 }
 
 #[test]
