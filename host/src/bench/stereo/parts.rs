@@ -186,7 +186,7 @@ impl Part {
                 vec![Setting { samples: Samples::Nine, ..Setting::adelson("ellipsoids_20", Materials::Own) }]
             }
             Self::Table2 => {
-                let samples = every(vec![1, 2, 3, 4], &[1, 3]);
+                let samples = every(vec![1, 2, 3, 4], &[1, 2]);
                 ["ellipsoids_100", "ellipsoids_1000"]
                     .into_iter()
                     .take(if quick { 1 } else { 2 })
