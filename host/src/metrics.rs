@@ -7,9 +7,10 @@ use parallax_shared::output::tonemap::srgb8_colour;
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// Linear colours as 8-bit sRGB, as PNG files have them: what the errors below are of.
-pub fn srgb8(colours: &[[f32; 4]]) -> Vec<[u8; 3]> {
-    colours.par_iter().map(|[red, green, blue, _]| srgb8_colour([*red, *green, *blue])).collect()
+/// Linear colours (three or four components, of which the first three count) as 8-bit sRGB, as PNG files have them: what the errors
+/// below are of.
+pub fn srgb8<const N: usize>(colours: &[[f32; N]]) -> Vec<[u8; 3]> {
+    colours.par_iter().map(|colour| srgb8_colour([colour[0], colour[1], colour[2]])).collect()
 }
 
 /// Mean squared error of 8-bit sRGB components, as Al-Hagri 2012 §4.5.2 has it: Σ‖c − c̄‖² / (3 · pixels). 0 without pixels.
@@ -91,9 +92,7 @@ pub struct ViewError {
 impl ViewError {
     /// That of `shown`, which has as many pixels as the truth.
     pub fn new(shown: &ViewImages, truth: &ViewImages) -> Self {
-        let colours =
-            |view: &ViewImages| view.colour.par_iter().map(|c| srgb8_colour(*c)).collect::<Vec<_>>();
-        let (picture, reference) = (colours(shown), colours(truth));
+        let (picture, reference) = (srgb8(&shown.colour), srgb8(&truth.colour));
         let mse = mse(&picture, &reference);
         let (share, distance) = differing(&picture, &reference);
         let errors = || shown.disparity.iter().zip(&truth.disparity).map(|(a, b)| disparity_error(*a, *b));
@@ -114,7 +113,8 @@ fn disparity_error(a: f32, b: f32) -> f32 {
     if a == b { 0.0 } else { (a - b).abs() }
 }
 
-fn squared_distance(a: &[u8; 3], b: &[u8; 3]) -> f64 {
+/// The square of the distance of two colours.
+pub(crate) fn squared_distance(a: &[u8; 3], b: &[u8; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum()
 }
 

@@ -1,9 +1,9 @@
 //! Pictures of how a pair was made, and of how far it is from the truth.
 
 use super::{Batch, OutputError, png};
+use crate::metrics::{squared_distance, srgb8};
 use crate::render::stereo::maps::PixelMaps;
 use crate::render::{StereoImages, ViewImages};
-use parallax_shared::output::tonemap::srgb8_colour;
 use parallax_shared::stereo::source;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -108,12 +108,9 @@ fn all_but_a_thousandth(values: &[f32]) -> f32 {
 }
 
 fn errors(view: &ViewImages, truth: &ViewImages) -> Vec<[u8; 3]> {
-    let distance = |(a, b): (&[f32; 3], &[f32; 3])| {
-        let (a, b) = (srgb8_colour(*a), srgb8_colour(*b));
-        let square: f64 = a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(b)).powi(2)).sum();
-        [(square.sqrt() * ERROR_SCALE).round().min(255.0) as u8; 3]
-    };
-    view.colour.iter().zip(&truth.colour).map(distance).collect()
+    let (shown, truth) = (srgb8(&view.colour), srgb8(&truth.colour));
+    let distances = shown.iter().zip(&truth).map(|(a, b)| squared_distance(a, b).sqrt());
+    distances.map(|distance| [(distance * ERROR_SCALE).round().min(255.0) as u8; 3]).collect()
 }
 
 #[cfg(test)]

@@ -11,6 +11,7 @@ mod png;
 pub use batch::Batch;
 pub use maps::{Diagnostics, KINDS, Scales, write_maps};
 
+use crate::metrics::srgb8;
 use crate::render::StereoImages;
 use std::path::{Path, PathBuf};
 
@@ -85,7 +86,7 @@ pub fn write(
     let size = [images.width, images.height];
     if format.includes(Format::LeftRight) {
         for (view, eye) in images.views.iter().zip(["left", "right"]) {
-            png::write(&mut batch, &format!("{name}_{eye}.png"), size, &png::encode(&view.colour))?;
+            png::write(&mut batch, &format!("{name}_{eye}.png"), size, &srgb8(&view.colour))?;
         }
     }
     if format.includes(Format::Anaglyph) {

@@ -1,16 +1,12 @@
 //! PNG, 8 bit sRGB.
 
 use super::{Batch, OutputError};
+use crate::metrics::srgb8;
 use crate::render::StereoImages;
 use image::ImageEncoder;
 use image::codecs::png::PngEncoder;
 use parallax_shared::output::{anaglyph, tonemap};
 use rayon::prelude::*;
-
-/// A linear picture as sRGB.
-pub fn encode(colours: &[[f32; 3]]) -> Vec<[u8; 3]> {
-    colours.par_iter().map(|colour| tonemap::srgb8_colour(*colour)).collect()
-}
 
 /// Both views in one picture for red/cyan glasses.
 pub fn anaglyph(images: &StereoImages) -> Vec<[u8; 3]> {
@@ -21,7 +17,7 @@ pub fn anaglyph(images: &StereoImages) -> Vec<[u8; 3]> {
 
 /// Both views beside each other, the left one on the left.
 pub fn side_by_side(images: &StereoImages) -> Vec<[u8; 3]> {
-    let [left, right] = images.views.each_ref().map(|view| encode(&view.colour));
+    let [left, right] = images.views.each_ref().map(|view| srgb8(&view.colour));
     let width = images.width as usize;
     left.chunks(width).zip(right.chunks(width)).flat_map(|(left, right)| [left, right].concat()).collect()
 }

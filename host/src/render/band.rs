@@ -33,6 +33,11 @@ impl Band {
     }
 }
 
+/// Pixels, or points of a lattice, in the band of `view`.
+pub(super) fn pixels_of(view: &View) -> usize {
+    view.width as usize * view.rows as usize
+}
+
 /// What every stage has made of a band: one element per pixel, `width · rows` of them, unless something else
 /// is said.
 #[derive(Clone, Debug, PartialEq)]
@@ -179,7 +184,7 @@ impl BandBuffers {
         view: &View,
         proofs: Option<bool>,
     ) -> Result<Self, BackendError> {
-        let pixels = view.width as usize * view.rows as usize;
+        let pixels = pixels_of(view);
         Ok(Self {
             hits: backend.create("hits", pixels)?,
             surfaces: backend.create("surfaces", pixels)?,

@@ -1,6 +1,7 @@
 //! The passes that find which lights each pixel sees.
 
 use super::SceneData;
+use super::band::pixels_of;
 use super::buffers::SceneBuffers;
 use super::renderer::Stages;
 use crate::backend::{Backend, BackendError};
@@ -38,7 +39,7 @@ impl Proofs {
         shared: bool,
     ) -> Result<Self, BackendError> {
         let count = proof::tiles(view.width) as usize * proof::tiles(view.rows) as usize;
-        let pixels = view.width as usize * view.rows as usize;
+        let pixels = pixels_of(view);
         let hiding = if shared { pixels * data.info.lights as usize } else { 0 };
         Ok(Self {
             tiles: backend.create("proofs", count * proof::words(data.info.lights) as usize)?,

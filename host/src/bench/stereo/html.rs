@@ -1,7 +1,7 @@
 //! The measurements as one HTML file: plots, tables, and what the papers print beside them.
 
 use super::paper::{COST, MSE};
-use super::plot::{Plot, Point, Series, escaped, number};
+use super::plot::{Plot, Point, Series, escaped, half_spread, number};
 use super::{Measured, Part, summary};
 use crate::bench::BenchLine;
 use crate::render::Method;
@@ -72,7 +72,7 @@ fn table<'a>(lines: impl Iterator<Item = &'a BenchLine>) -> String {
     let (mut rows, mut last) = (String::new(), None);
     for line in lines {
         let BenchLine { case, method, metric, value, unit, spread, reference, .. } = line;
-        let spread = if *spread > 0.0 { format!("± {}", number(spread / 2.0)) } else { String::new() };
+        let spread = half_spread(*spread);
         if last != Some(case) {
             let _ = writeln!(rows, "<tr><th class=\"case\" colspan=\"6\">{}</th></tr>", escaped(case));
             last = Some(case);

@@ -118,6 +118,11 @@ fn round_step(least: f64) -> f64 {
     [1.0, 2.0, 5.0, 10.0].map(|digit| digit * power).into_iter().find(|step| *step >= least).unwrap_or(least)
 }
 
+/// Half the distance of the quartiles behind a value; nothing where there is none.
+pub fn half_spread(spread: f64) -> String {
+    if spread > 0.0 { format!("± {}", number(spread / 2.0)) } else { String::new() }
+}
+
 /// A number as a tick has it.
 pub fn number(value: f64) -> String {
     let digits = if value.abs() >= 100.0 || value == 0.0 { 0 } else { 2 };

@@ -1,6 +1,6 @@
 //! What matters most of a part's measurements: a row for each method, and a column for each headline.
 
-use super::plot::{escaped, number};
+use super::plot::{escaped, half_spread, number};
 use super::{HEADLINES, Measured};
 use crate::bench::BenchLine;
 use std::fmt::Write;
@@ -41,8 +41,7 @@ fn case(measured: &Measured, columns: &[&str]) -> String {
 
 fn cell(line: Option<&BenchLine>) -> String {
     let Some(BenchLine { value, unit, spread, reference, .. }) = line else { return "<td></td>".into() };
-    let spread = if *spread > 0.0 { format!(" ± {}", number(spread / 2.0)) } else { String::new() };
     let paper =
         reference.as_ref().map_or(String::new(), |paper| format!("<small>{}</small>", escaped(paper)));
-    format!("<td class=\"number\">{} {unit}{spread}{paper}</td>", number(*value))
+    format!("<td class=\"number\">{} {unit} {}{paper}</td>", number(*value), half_spread(*spread))
 }

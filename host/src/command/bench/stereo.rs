@@ -102,33 +102,53 @@ fn measure_part(options: &Options, part: Part, cpu: &mut Cpu) -> Result<Vec<Meas
         repetitions => repetitions as usize,
     };
     let (mut measured, mut missing) = (Vec::new(), Vec::new());
+    let mut last = LastScene::default();
     for setting in part.settings(options.quick) {
         if missing.contains(&setting.scene) {
             continue;
         }
-        match measure_setting(part, &setting, cpu, repetitions) {
-            Ok(lines) => measured.push(Measured::new(part, setting, lines)),
-            Err(Failure::Usage(error)) => {
-                warn(&[format!("{}: left out: {error:#}", part.name())]);
-                missing.push(setting.scene);
-            }
-            Err(failure) => return Err(failure),
+        if let Err(failure) = last.frame(setting.scene, 0) {
+            let Failure::Usage(error) = failure else { return Err(failure) };
+            warn(&[format!("{}: left out: {error:#}", part.name())]);
+            missing.push(setting.scene);
+            continue;
         }
+        let lines = measure_setting(part, &setting, &mut last, cpu, repetitions)?;
+        measured.push(Measured::new(part, setting, lines));
     }
     Ok(measured)
+}
+
+/// The frame of a scene that was read last: settings that follow each other mostly differ in something else.
+#[derive(Default)]
+struct LastScene(Option<(&'static str, u32, Scene)>);
+
+impl LastScene {
+    /// A frame of a shipped scene.
+    fn frame(&mut self, name: &'static str, frame: u32) -> Result<Scene, Failure> {
+        match &self.0 {
+            Some((last, of, scene)) if (*last, *of) == (name, frame) => Ok(scene.clone()),
+            _ => {
+                let scene = locate::load(&locate::scene(Some(Path::new(name))).usage()?, frame)?;
+                self.0 = Some((name, frame, scene.clone()));
+                Ok(scene)
+            }
+        }
+    }
 }
 
 /// The lines of a setting: of an animation, the means over its frames.
 fn measure_setting(
     part: Part,
     setting: &Setting,
+    last: &mut LastScene,
     cpu: &mut Cpu,
     repetitions: usize,
 ) -> Result<Vec<BenchLine>, Failure> {
-    let (path, methods) = (locate::scene(Some(Path::new(setting.scene))).usage()?, part.methods(setting));
+    let methods = part.methods(setting);
     let mut frames = Vec::new();
     for frame in setting.frame_numbers() {
-        let mut scene = locate::load(&path, frame)?;
+        let mut scene = last.frame(setting.scene, frame)?;
         setting.apply(&mut scene).usage()?;
         frames.push(measure(cpu, &scene, setting.label(), &methods, repetitions)?);
     }

@@ -3,6 +3,7 @@
 use super::Grid;
 use crate::backend::{Backend, BackendError};
 use crate::render::SceneData;
+use crate::render::band::pixels_of;
 use crate::render::stereo::Plan;
 use crate::render::stereo::tables::TableBuffers;
 use kernel_api::Buffer;
@@ -71,7 +72,7 @@ impl ViewBuffers {
         grid: Grid,
         view: &View,
     ) -> Result<Self, BackendError> {
-        let (points, pixels) = (size(&grid.view(view, 0)), size(view));
+        let (points, pixels) = (pixels_of(&grid.view(view, 0)), pixels_of(view));
         Ok(Self {
             words: backend.create("words of points", points)?,
             hits: backend.create("hits of points", points)?,
@@ -115,7 +116,7 @@ impl InferenceBuffers {
         grid: Grid,
         view: &View,
     ) -> Result<Self, BackendError> {
-        let (points, pixels) = (size(&grid.view(view, 0)), size(view));
+        let (points, pixels) = (pixels_of(&grid.view(view, 0)), pixels_of(view));
         let aimed = |backend: &mut B| {
             Ok(AimedBuffers {
                 hits: backend.create("aimed hits", pixels)?,
@@ -165,9 +166,4 @@ impl SampledBuffers {
         self.second.release(backend);
         self.inference.into_iter().for_each(|inference| inference.release(backend));
     }
-}
-
-/// Pixels or points of a band.
-fn size(view: &View) -> usize {
-    view.width as usize * view.rows as usize
 }

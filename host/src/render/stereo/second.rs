@@ -5,7 +5,7 @@ use super::tables::TableBuffers;
 use super::{Plan, bounces};
 use crate::backend::{Backend, BackendError};
 use crate::render::SceneData;
-use crate::render::band::{BounceBuffers, Values};
+use crate::render::band::{BounceBuffers, Values, pixels_of};
 use crate::render::method::{Method, Reflections};
 use kernel_api::Buffer;
 use parallax_shared::layout::{Hit, RayCounts, Surface, View};
@@ -51,7 +51,7 @@ impl SecondBuffers {
         data: &SceneData,
         view: &View,
     ) -> Result<Self, BackendError> {
-        let pixels = view.width as usize * view.rows as usize;
+        let pixels = pixels_of(view);
         let traces = !plan.reuses_shadows();
         let bounces = bounces(data) && plan.options.method != Method::Ideal;
         let recalls = bounces && plan.options.reflections != Reflections::Trace;
