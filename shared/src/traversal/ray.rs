@@ -84,17 +84,17 @@ impl Prepared {
         }
     }
 
-    /// Whether a walk with the ray is defined: its origin is finite, and the largest component of its direction neither infinite nor
-    /// too small for 1/d. A NaN elsewhere makes the edge functions of every triangle NaN, and lets it miss them in any case.
+    /// Whether a walk with the ray is defined: origin and direction are finite, and the largest component of the direction is not too
+    /// small for 1/d. A NaN would miss every triangle in any case, but meet the boxes of all of them on its way.
     #[inline(always)]
     pub fn is_proper(&self) -> bool {
         let last = self.shear[2].abs();
-        (self.padding < f32::INFINITY) & (last < LARGEST_INVERSE) & (last > 0.0)
+        self.is_finite() & (self.padding < f32::INFINITY) & (last < LARGEST_INVERSE)
     }
 
-    /// Whether all components of origin and direction are finite: for primitives that, unlike triangles, may be hit by a NaN.
+    /// Whether all components of origin and direction are finite.
     #[inline(always)]
-    pub fn is_finite(&self) -> bool {
+    fn is_finite(&self) -> bool {
         let Ray { origin: o, dir: d, .. } = self.ray;
         // Zero, or NaN if any of them is infinite or NaN.
         (o[0] * 0.0 + o[1] * 0.0 + o[2] * 0.0) + (d[0] * 0.0 + d[1] * 0.0 + d[2] * 0.0) == 0.0

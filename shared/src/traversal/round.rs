@@ -15,9 +15,6 @@ use kernel_api::{At, rare};
 #[rare]
 pub(super) fn pack<R: Rules>(rows: &[Row], link: u32, ray: Ray, extent: f32, mut best: Hit) -> Hit {
     let ray = Prepared::new::<R>(&ray, extent);
-    if !ray.is_finite() {
-        return best;
-    }
     if link & KIND == Kind::Spheres as u32 {
         spheres::<R>(rows.window(link & ROW), &ray, &mut best);
     } else {

@@ -1,0 +1,191 @@
+//! Spheres and ellipsoids: small ones far away, origins inside, tangents, flat ones; through the structure, on both backends.
+
+use super::backends::{hits, structure, tried};
+use glam::{DMat3, DVec3, Vec3};
+use parallax_shared::layout::{Ellipsoid, NONE, Ray};
+use parallax_tests::meshes::Random;
+use parallax_tests::stage;
+
+fn wide(v: [f32; 3]) -> DVec3 {
+    DVec3::from_array(v.map(f64::from))
+}
+
+fn direction(random: &mut Random) -> DVec3 {
+    loop {
+        let v = DVec3::from_array([(); 3].map(|()| f64::from(2.0 * random.unit() - 1.0)));
+        if (0.01..1.0).contains(&v.length_squared()) {
+            return v.normalize();
+        }
+    }
+}
+
+fn matrix(shape: &Ellipsoid) -> DMat3 {
+    let row = |i: usize| {
+        let [x, y, z, _] = shape.world_to_unit[i].map(f64::from);
+        DVec3::new(x, y, z)
+    };
+    DMat3::from_cols(row(0), row(1), row(2)).transpose()
+}
+
+/// What f64 says of a ray and an ellipsoid: the first root at 0 or more, and by how much of a radius the line passes inside the rim.
+fn exact(ray: &Ray, centre: DVec3, to_unit: DMat3) -> (Option<f64>, f64) {
+    let (o, d) = (wide(ray.origin) - centre, wide(ray.dir));
+    // Counted from the point nearest to the centre: digits are left for the discriminant even far away.
+    let shift = -o.dot(d) / d.dot(d);
+    let (u, v) = (to_unit * (o + d * shift), to_unit * d);
+    let (a, b) = (v.dot(v), u.dot(v));
+    let across = u - v * (b / a);
+    let gap = 1.0 - across.dot(across);
+    let half = (gap / a).max(0.0).sqrt();
+    let roots = [shift - b / a - half, shift - b / a + half];
+    (roots.into_iter().find(|t| gap >= 0.0 && *t >= 0.0), 1.0 - across.length())
+}
+
+/// Spheres of radius 10⁻⁴ at a distance of 10⁴, from all sides and up to their rims.
+///
+/// Guard: the origin is moved to the point nearest to the centre by exact sums and products (`Offset::along`).
+#[test]
+fn small_spheres_far_away_are_hit_where_they_are() {
+    let mut random = Random(1);
+    let mut cases = 0;
+    for (radius, distance) in [(1e-4, 1e4), (1e-2, 1e4), (1.0, 1e6)] {
+        let centre = (direction(&mut random) * 0.5).as_vec3();
+        let ball = stage::sphere(centre.to_array(), radius, 0);
+        let rays: Vec<_> = (0..20_000)
+            .map(|_| {
+                let towards = direction(&mut random);
+                let origin = (centre.as_dvec3() + towards * distance).as_vec3();
+                let rim = towards.cross(direction(&mut random)).normalize();
+                let target = centre.as_dvec3() + rim * (f64::from(radius) * 1.1 * f64::from(random.unit()));
+                let dir = (target - origin.as_dvec3()).as_vec3().to_array();
+                Ray { origin: origin.to_array(), t_min: 0.0, dir, t_max: f32::INFINITY }
+            })
+            .collect();
+        let scale = DMat3::from_diagonal(DVec3::splat(1.0 / f64::from(radius)));
+        let found = hits(&structure(&[], &[ball], &[]), &rays);
+        let mut hit_count = 0;
+        for (ray, hit) in rays.iter().zip(&found) {
+            let (t, depth) = exact(ray, centre.as_dvec3(), scale);
+            if depth.abs() > 1e-5 {
+                assert_eq!(
+                    hit.prim_id != NONE,
+                    t.is_some(),
+                    "radius {radius}: {ray:?}, {depth} radii inside"
+                );
+            }
+            if let (Some(t), true) = (t, hit.prim_id != NONE) {
+                assert!((f64::from(hit.t) - t).abs() <= 1e-6 * t.max(1.0), "{ray:?}: {} not {t}", hit.t);
+                hit_count += 1;
+            }
+        }
+        assert!(hit_count > 5000, "radius {radius}: {hit_count} hits");
+        cases += rays.len();
+    }
+    tried("quadrics/small and far away", cases);
+}
+
+/// From inside the far side is met, whatever the direction; from the surface inwards as well.
+///
+/// Guard: the second root is taken where the first is before `t_min` (`Chord::first_root`).
+#[test]
+fn from_inside_the_far_side_is_met() {
+    let mut random = Random(2);
+    let mut cases = 0;
+    for (centre, radius) in [([0.0; 3], 1.0), ([100.0, -7.0, 3.0], 0.25), ([0.1, 0.2, 0.3], 1e3)] {
+        let ball = stage::sphere(centre, radius, 0);
+        let rays: Vec<_> = (0..20_000)
+            .map(|_| {
+                let inside = direction(&mut random) * (f64::from(radius) * 0.999 * f64::from(random.unit()));
+                let origin = (wide(centre) + inside).as_vec3().to_array();
+                let dir = direction(&mut random).as_vec3().to_array();
+                Ray { origin, t_min: 0.0, dir, t_max: f32::INFINITY }
+            })
+            .collect();
+        let scale = DMat3::from_diagonal(DVec3::splat(1.0 / f64::from(radius)));
+        for (ray, hit) in rays.iter().zip(hits(&structure(&[], &[ball], &[]), &rays)) {
+            let (t, _) = exact(ray, wide(centre), scale);
+            let t = t.expect("a ray from inside leaves");
+            let size = f64::from(radius) + wide(centre).length();
+            assert_eq!(hit.prim_id, 0, "{ray:?}");
+            assert!((f64::from(hit.t) - t).abs() <= 1e-6 * size, "{ray:?}: {} not {t}", hit.t);
+        }
+        cases += rays.len();
+    }
+    tried("quadrics/origin inside", cases);
+}
+
+/// Rays along a tangent, exactly, and one ULP to either side: a hit within, a miss without, never a NaN.
+///
+/// Guard: a negative discriminant is a miss before the root is taken (`Chord::new`).
+#[test]
+fn tangents_are_decided() {
+    let mut rays = Vec::new();
+    for (axis, sign) in (0..3).flat_map(|axis| [(axis, 1.0f32), (axis, -1.0)]) {
+        for away in [2.0f32, 16.0, 1024.0] {
+            for (ulps, expected) in
+                [(0, Some(true)), (-8, Some(true)), (-1, None), (1, None), (8, Some(false))]
+            {
+                let (mut origin, mut dir) = ([0.0; 3], [0.0; 3]);
+                origin[axis] = -sign * away;
+                dir[axis] = sign;
+                origin[(axis + 1) % 3] = f32::from_bits((1f32.to_bits() as i32 + ulps) as u32);
+                rays.push((Ray { origin, t_min: 0.0, dir, t_max: f32::INFINITY }, away, expected));
+            }
+        }
+    }
+    let given: Vec<_> = rays.iter().map(|(ray, ..)| *ray).collect();
+    let found = hits(&structure(&[], &[stage::sphere([0.0; 3], 1.0, 0)], &[]), &given);
+    for ((ray, away, expected), hit) in rays.iter().zip(found) {
+        assert!(!hit.t.is_nan());
+        assert!(expected.is_none_or(|is_hit| is_hit == (hit.prim_id != NONE)), "{ray:?}: {hit:?}");
+        assert!(hit.prim_id == NONE || (hit.t - away).abs() < 3e-3, "{ray:?}: {hit:?}");
+    }
+    tried("quadrics/tangents", rays.len());
+}
+
+/// Ellipsoids 10⁴ times as wide as thick, turned, near and far: hits lie on them.
+///
+/// Guard: the origin is moved in world space before the matrix, whose rows differ by 10⁴, is applied (`ellipsoid::chord_of`).
+#[test]
+fn flat_ellipsoids_are_hit_where_they_are() {
+    let mut random = Random(4);
+    let mut cases = 0;
+    for half in [[1.0, 1e-4, 1.0], [1e-4, 1.0, 1e-4], [1.0, 1.0, 1e-4]] {
+        for (distance, angle) in [(3.0, 0.3), (100.0, 1.1), (1e3, 2.0)] {
+            let shape = stage::ellipsoid([0.5, -0.25, 0.125], half, angle, 0);
+            let (centre, to_unit) = (wide(shape.centre), matrix(&shape));
+            let from_unit = to_unit.inverse();
+            let rays: Vec<_> = (0..5000)
+                .map(|_| {
+                    let origin = (centre + direction(&mut random) * distance).as_vec3();
+                    let target =
+                        centre + from_unit * (direction(&mut random) * (1.02 * f64::from(random.unit())));
+                    let dir = (target - origin.as_dvec3()).as_vec3().to_array();
+                    Ray { origin: origin.to_array(), t_min: 0.0, dir, t_max: f32::INFINITY }
+                })
+                .collect();
+            for (ray, hit) in rays.iter().zip(hits(&structure(&[], &[], &[shape]), &rays)) {
+                // What remains of 24 digits of a distance is less than the thickness: not every line is decided.
+                let (t, depth) = exact(ray, centre, to_unit);
+                if depth.abs() > 1e-3 * distance {
+                    assert_eq!(hit.prim_id != NONE, t.is_some(), "{half:?} at {distance}: {ray:?}, {depth}");
+                }
+                if hit.prim_id != NONE {
+                    let at = wide(ray.origin) + wide(ray.dir) * f64::from(hit.t);
+                    let unit = to_unit * (at - centre);
+                    let to_surface =
+                        (unit.length() - 1.0).abs() / (to_unit.transpose() * unit.normalize()).length();
+                    let along = t.map_or(f64::INFINITY, |t| {
+                        (f64::from(hit.t) - t).abs() * Vec3::from(ray.dir).length() as f64
+                    });
+                    assert!(
+                        to_surface.min(along) < 1e-6 * (distance + 1.0),
+                        "{half:?} at {distance}: {to_surface}"
+                    );
+                }
+            }
+            cases += rays.len();
+        }
+    }
+    tried("quadrics/flat ellipsoids", cases);
+}
