@@ -5,6 +5,7 @@ use parallax::build::{Bvh, Quality, build};
 use parallax_kernels::rays::{OccludedRays, TraceRays};
 use parallax_shared::layout::{Ellipsoid, Hit, NONE, Ray, Sphere, Triangle};
 use parallax_tests::gpu::{Driver, open};
+use parallax_tests::stage::{Stage, Stages};
 use std::io::Write;
 
 /// Tells how many cases of a kind were tried. To the terminal itself, since cargo hides what a passing test prints.
@@ -45,4 +46,17 @@ pub fn hits(bvh: &Bvh, rays: &[Ray]) -> Vec<Hit> {
         assert_eq!(occluded, hidden, "occlusion on CPU and GPU");
     }
     hits
+}
+
+/// What the passes make of a stage: the same bits on both backends.
+pub fn stages(stage: &Stage) -> Stages {
+    let made = stage.render(&mut Cpu::new(0).unwrap()).unwrap();
+    if let Some(mut gpu) = open(Driver::Lavapipe, Profile::Strict) {
+        let other = stage.render(&mut gpu).unwrap();
+        let words = |colours: &[[f32; 4]]| bytemuck::cast_slice::<_, u32>(colours).to_vec();
+        assert!(words(&made.colours) == words(&other.colours), "colours on CPU and GPU");
+        assert!(made.hits == other.hits && made.seen == other.seen, "hits and lights on CPU and GPU");
+        assert!(made.surfaces == other.surfaces && made.counts == other.counts, "surfaces on CPU and GPU");
+    }
+    made
 }

@@ -9,5 +9,9 @@
 mod backends;
 mod boxes;
 mod guards;
+mod long_runs;
 mod quadrics;
+mod refraction;
+mod secondary_rays;
+mod stereo;
 mod triangles;

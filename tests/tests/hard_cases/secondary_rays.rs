@@ -1,0 +1,74 @@
+//! Rays that leave a surface: no acne, no leak, in corners and far from the origin.
+
+use super::backends::{stages, tried};
+use parallax_tests::small_scenes::view;
+use parallax_tests::stage::{Stage, light, quad, white};
+
+/// A closed box from `low`, of the width `size`, seen from inside, with lights within (even numbers) and without (odd ones).
+fn room(low: [f32; 3], size: f32) -> Stage {
+    let at = |x: f32, y: f32, z: f32| [low[0] + x * size, low[1] + y * size, low[2] + z * size];
+    let mut stage = Stage::new(view(at(0.25, 0.75, 0.75), at(0.875, 0.125, 0.125)));
+    stage.materials = vec![white()];
+    let [x, y, z] = [[size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]];
+    for (corner, u, v) in [
+        (at(0.0, 0.0, 0.0), x, y),
+        (at(0.0, 0.0, 1.0), x, y),
+        (at(0.0, 0.0, 0.0), y, z),
+        (at(1.0, 0.0, 0.0), y, z),
+        (at(0.0, 0.0, 0.0), x, z),
+        (at(0.0, 1.0, 0.0), x, z),
+    ] {
+        stage.triangles.extend(quad(corner, u, v, 0));
+    }
+    for i in 0..16 {
+        let place = |k: u32| if i >> k & 1 == 0 { 0.0625 } else { 0.9375 };
+        let within = at(place(0), place(1), if i < 8 { place(2) } else { 0.5 });
+        let mut without = within;
+        without[i % 3] = low[i % 3] + if i % 2 == 0 { -0.0625 } else { 1.0625 } * size;
+        stage.lights.extend([light(within, [0.1; 3]), light(without, [0.1; 3])]);
+    }
+    stage
+}
+
+/// In a convex room every light that a wall faces is seen from everywhere, corners too, and none from outside comes in.
+///
+/// Guard: secondary rays begin off the surface by the error bound of what was computed (`surface::leave`).
+#[test]
+fn rooms_have_no_acne_and_no_leak() {
+    let mut rays = 0;
+    for (low, size) in [
+        ([-0.5; 3], 1.0),
+        ([0.0; 3], 1e-3),
+        ([100.0, -300.0, 7.0], 8.0),
+        ([1e6, -1e6, 5e5], 1024.0),
+        ([-5e5; 3], 1e6),
+    ] {
+        let stages = stages(&room(low, size));
+        for (pixel, seen) in stages.seen.iter().enumerate() {
+            let faced = stages.counts[1][pixel].shadow;
+            assert_eq!(
+                seen & 0xaaaa_aaaa,
+                0,
+                "size {size} at {low:?}: a leak at {:?}",
+                stages.surfaces[pixel]
+            );
+            assert!(seen.count_ones() <= faced);
+            rays += faced as usize;
+        }
+        // Without the lights outside, what is faced is seen.
+        let mut within = room(low, size);
+        within.lights = within.lights.into_iter().step_by(2).collect();
+        let stages = super::backends::stages(&within);
+        for (pixel, seen) in stages.seen.iter().enumerate() {
+            let faced = stages.counts[1][pixel].shadow;
+            assert_eq!(
+                seen.count_ones(),
+                faced,
+                "size {size} at {low:?}: acne at {:?}",
+                stages.surfaces[pixel]
+            );
+        }
+    }
+    assert!(rays > 100_000, "{rays}");
+    tried("secondary rays/rooms", rays);
+}
