@@ -20,7 +20,7 @@ fn exact(cos_i: f64, eta: f64) -> f64 {
 
 /// Cosines of every exponent and around the critical angle, indices down to one ULP from 1.
 ///
-/// Guards: 1 − cos² is not let below zero, total reflection is decided before the root, and the share is clamped to 0 ..= 1 (`fresnel`).
+/// Guard: total reflection is decided before the root (`fresnel::refracted_cosine`). The clamp of the share to 0 ..= 1 is not needed by these.
 #[test]
 fn fresnels_share_is_a_share() {
     let near = |x: f32, ulps: i32| f32::from_bits((x.to_bits() as i32 + ulps) as u32);

@@ -138,7 +138,7 @@ fn zero_area_is_no_hit() {
 
 /// Faces that lie on each other or cut each other: the same owner in any order of the list.
 ///
-/// Guard: equal `t` goes to the smaller number (`traversal::rules::closer`).
+/// The rule that equal `t` goes to the smaller number is not needed here, where copies come in order: `hits` takes it away.
 #[test]
 fn coincident_faces_have_the_first_as_their_owner() {
     let mut random = Random(3);
