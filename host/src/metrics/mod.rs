@@ -1,5 +1,9 @@
 //! How far a picture is from another one.
 
+mod flip;
+
+pub use flip::flip;
+
 use crate::render::ViewImages;
 use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::Hit;
@@ -22,6 +26,18 @@ pub fn mse(picture: &[[u8; 3]], reference: &[[u8; 3]]) -> f64 {
 /// Peak signal to noise ratio in dB of an [`mse`]; +∞ for equal pictures.
 pub fn psnr(mse: f64) -> f64 {
     10.0 * (255.0 * 255.0 / mse).log10()
+}
+
+/// Relative mean squared error of linear colours: Σ‖c − c̄‖² / (3 · pixels · (ȳ² + 0.01)) with the truth's mean component ȳ of each pixel, so
+/// that an error in the dark counts as one in the light does. 0 without pixels.
+pub fn rel_mse(picture: &[[f32; 3]], reference: &[[f32; 3]]) -> f64 {
+    let relative = |(a, b): (&[f32; 3], &[f32; 3])| {
+        let square: f64 = a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum();
+        let mean = b.iter().map(|&component| f64::from(component)).sum::<f64>() / 3.0;
+        square / (mean * mean + 0.01)
+    };
+    let squares: f64 = picture.iter().zip(reference).map(relative).sum();
+    if picture.is_empty() { 0.0 } else { squares / (3.0 * picture.len() as f64) }
 }
 
 /// Of the pixels whose colours differ: their share, and their mean distance in units of 8-bit sRGB (Adelson and Hodges 1993, §5).
@@ -136,6 +152,13 @@ mod tests {
         assert_eq!((mse(&[RED; 3], &[RED; 3]), mse(&[], &[])), (0.0, 0.0));
         assert_eq!(psnr(0.0), f64::INFINITY);
         assert_eq!(differing(&[RED; 3], &[RED; 3]), (0.0, 0.0));
+    }
+
+    #[test]
+    fn relative_errors_weigh_more_in_the_dark() {
+        assert_eq!((rel_mse(&[], &[]), rel_mse(&[[0.5; 3]], &[[0.5; 3]])), (0.0, 0.0));
+        assert!((rel_mse(&[[0.1, 0.0, 0.0]], &[[0.0; 3]]) - 1.0 / 3.0).abs() < 1e-6);
+        assert!((rel_mse(&[[1.1, 1.0, 1.0]], &[[1.0; 3]]) - 0.01 / 3.0 / 1.01).abs() < 1e-6);
     }
 
     #[test]
