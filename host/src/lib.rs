@@ -10,3 +10,4 @@ pub mod output;
 pub mod render;
 pub mod rig;
 pub mod scene;
+pub mod study;

@@ -15,6 +15,7 @@ mod options;
 mod progress;
 mod render;
 mod report;
+mod study;
 
 use clap::Parser;
 use failure::Failure;
@@ -53,6 +54,8 @@ enum Command {
     Info(info::Options),
     /// Measure parts of Parallax against other libraries.
     Bench(bench::Options),
+    /// Show what accuracy costs in time: each knob's gain and price, on a page with plots.
+    Study(study::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -84,5 +87,6 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Devices(options) => devices::run(&options),
         Command::Info(options) => info::run(&options),
         Command::Bench(options) => bench::run(&options),
+        Command::Study(options) => study::run(&options),
     }
 }

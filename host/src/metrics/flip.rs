@@ -77,7 +77,8 @@ impl Opponent {
             let scale = a * (PI / b).sqrt();
             (convolved(&values, self.width, &kernel, &kernel), scale, scale * sum * sum)
         };
-        let ((first, first_scale, first_sum), (second, second_scale, second_sum)) = (term(a1, b1), term(a2, b2));
+        let ((first, first_scale, first_sum), (second, second_scale, second_sum)) =
+            (term(a1, b1), term(a2, b2));
         let sum = first_sum + second_sum;
         first.iter().zip(second).map(|(a, b)| (first_scale * a + second_scale * b) / sum).collect()
     }
@@ -87,7 +88,8 @@ impl Opponent {
         let luminance: Vec<f64> = self.pixels.iter().map(|pixel| (pixel[0] + 16.0) / 116.0).collect();
         let deviation = 0.5 * FEATURE_WIDTH * PIXELS_PER_DEGREE;
         let radius = (3.0 * deviation).ceil() as i64;
-        let of = |weight: &dyn Fn(f64) -> f64| (-radius..=radius).map(|x| weight(x as f64)).collect::<Vec<_>>();
+        let of =
+            |weight: &dyn Fn(f64) -> f64| (-radius..=radius).map(|x| weight(x as f64)).collect::<Vec<_>>();
         let gauss = |x: f64| (-x * x / (2.0 * deviation * deviation)).exp();
         let smooth = of(&gauss);
         let total: f64 = smooth.iter().sum();
@@ -199,7 +201,7 @@ mod tests {
         let pixel = |x: usize, y: usize, shift: usize| match (x + shift) / 9 % 4 {
             0 => [(x * 5 % 256) as u8, (y * 7 % 256) as u8, 40],
             1 => [220, 30, (x * y % 256) as u8],
-            2 if (x + y) % 7 == 0 => [255, 255, 255],
+            2 if (x + y).is_multiple_of(7) => [255, 255, 255],
             _ => [10, (100 + 2 * shift) as u8, 200],
         };
         [0, 2].map(|shift| {

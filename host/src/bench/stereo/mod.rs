@@ -5,7 +5,7 @@ mod html;
 mod measure;
 mod paper;
 mod parts;
-mod plot;
+pub(crate) mod plot;
 mod setting;
 mod summary;
 

@@ -1,0 +1,126 @@
+//! What a study has found.
+
+use super::Point;
+
+/// How much two times must differ to be told apart: more than these machines' noise.
+const NOISE: f64 = 0.03;
+
+/// The points that no other one beats in both time and error, from the fastest on.
+pub fn frontier<'a>(points: &[&'a Point], error: impl Fn(&Point) -> f64) -> Vec<&'a Point> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a.milliseconds.total_cmp(&b.milliseconds).then(error(a).total_cmp(&error(b))));
+    let mut best = f64::INFINITY;
+    sorted.retain(|point| {
+        let better = error(point) < best;
+        best = best.min(error(point));
+        better
+    });
+    sorted
+}
+
+/// Whether a point takes less time by more than noise and spread explain.
+fn is_faster(point: &Point, naive: &Point) -> bool {
+    let margin = (NOISE * naive.milliseconds).max(naive.spread + point.spread);
+    point.milliseconds < naive.milliseconds - margin
+}
+
+/// A sentence on a scene: what is free, and what the best bargain costs. The first point is the traced pair.
+pub fn sentence(points: &[&Point]) -> Option<String> {
+    let (naive, others) = points.split_first()?;
+    let ratio = |point: &Point| point.milliseconds / naive.milliseconds;
+    let exact = |point: &&&Point| point.to_traced.view.differing_percent == 0.0;
+    let mut said = Vec::new();
+    let free = others.iter().filter(exact).filter(|point| is_faster(point, naive));
+    if let Some(free) = free.min_by(|a, b| ratio(a).total_cmp(&ratio(b))) {
+        let saved = 100.0 * (1.0 - ratio(free));
+        said.push(format!("{} changes no pixel and saves {saved:.0} % of the time", free.settings));
+    } else {
+        said.push("nothing that leaves every pixel as it is saves time".into());
+    }
+    let one_ray = |point: &&&Point| !point.settings.contains("samples=") && !point.settings.contains("ideal");
+    let bargain = others.iter().filter(one_ray).filter(|point| !exact(point));
+    if let Some(point) = bargain.min_by(|a, b| ratio(a).total_cmp(&ratio(b))) {
+        let (saved, error) = (100.0 * (1.0 - ratio(point)), point.to_traced);
+        said.push(format!(
+            "{} saves {saved:.0} % and differs visibly in {:.2} % of the pixels",
+            point.settings, error.flip_visible_percent
+        ));
+    }
+    let smoother = others.iter().filter(|point| point.settings.contains("samples="));
+    let gain = |point: &Point| 1.0 - point.to_truth.view.mse / naive.to_truth.view.mse;
+    if let Some(point) = smoother.max_by(|a, b| (gain(a) / ratio(a)).total_cmp(&(gain(b) / ratio(b)))) {
+        let (cost, removed) = (100.0 * (ratio(point) - 1.0), 100.0 * gain(point));
+        let change = if cost < 0.0 { "saves" } else { "costs" };
+        said.push(format!(
+            "{} {change} {:.0} % and removes {removed:.0} % of the error",
+            point.settings,
+            cost.abs()
+        ));
+    }
+    Some(format!("For {}, {}.", naive.scene, said.join("; ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::metrics::ViewError;
+    use crate::render::RayTotals;
+    use crate::study::measure::Distance;
+
+    fn distance(mse: f64) -> Distance {
+        let view = ViewError {
+            mse,
+            psnr_db: 0.0,
+            differing_percent: mse,
+            distance: 0.0,
+            wrong_depth_percent: 0.0,
+            largest_disparity_error_px: 0.0,
+        };
+        Distance { view, rel_mse: 0.0, flip: mse, flip_visible_percent: mse }
+    }
+
+    /// A point with its time and its errors against the traced pair and the truth.
+    fn point(settings: &str, milliseconds: f64, to_traced: f64, to_truth: f64) -> Point {
+        Point {
+            scene: "box".into(),
+            backend: "CPU".into(),
+            settings: settings.into(),
+            milliseconds,
+            spread: 0.5,
+            rays: RayTotals::default(),
+            scene_bytes: 0,
+            to_traced: distance(to_traced),
+            to_truth: distance(to_truth),
+        }
+    }
+
+    #[test]
+    fn the_frontier_has_what_nothing_beats() {
+        let points = [("a", 10.0, 0.0), ("b", 5.0, 2.0), ("c", 6.0, 3.0), ("d", 12.0, 0.0), ("e", 5.0, 4.0)]
+            .map(|(name, time, error)| point(name, time, error, 0.0));
+        let best = frontier(&points.iter().collect::<Vec<_>>(), |point| point.to_traced.flip);
+        assert_eq!(best.iter().map(|point| &point.settings[..]).collect::<Vec<_>>(), ["b", "a"]);
+    }
+
+    #[test]
+    fn a_sentence_tells_what_is_free_and_what_it_costs_to_be_better() {
+        let points = [
+            point("method=naive", 100.0, 0.0, 8.0),
+            point("bvh=quick", 99.5, 0.0, 8.0),
+            point("method=atomic", 55.0, 2.5, 9.0),
+            point("samples=nine", 300.0, 3.0, 2.0),
+        ];
+        let said = |points: &[Point]| sentence(&points.iter().collect::<Vec<_>>()).unwrap();
+        assert_eq!(
+            said(&points),
+            "For box, nothing that leaves every pixel as it is saves time; method=atomic saves 45 % and differs visibly in 2.50 % of \
+             the pixels; samples=nine costs 200 % and removes 75 % of the error."
+        );
+        let mut quicker = points;
+        quicker[1].milliseconds = 80.0;
+        assert!(
+            said(&quicker).starts_with("For box, bvh=quick changes no pixel and saves 20 % of the time; ")
+        );
+        assert_eq!(sentence(&[]), None);
+    }
+}

@@ -1,0 +1,168 @@
+//! A study as one HTML file.
+
+use super::findings::{frontier, sentence};
+use super::{KNOBS, Measured, Point, scatter};
+use crate::bench::stereo::plot::{escaped, half_spread, number};
+use image::ImageEncoder;
+use std::fmt::Write;
+
+/// The page without its content.
+const PAGE: &str = include_str!("page.html");
+
+/// A page that needs nothing but itself. `scenes` are the points of each scene, of which the first is the traced pair.
+pub fn page(machine: &str, scenes: &[Vec<Measured>]) -> String {
+    let points = |scene: &'_ Vec<Measured>| scene.iter().map(|m| m.point.clone()).collect::<Vec<_>>();
+    let sentences: String = scenes
+        .iter()
+        .filter_map(|scene| sentence(&points(scene).iter().collect::<Vec<_>>()))
+        .map(|sentence| format!("<li>{}</li>\n", escaped(&sentence)))
+        .collect();
+    let knobs: String = KNOBS
+        .iter()
+        .map(|knob| {
+            let values: Vec<_> = knob.values.iter().map(|value| value.name).collect();
+            format!(
+                "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                knob.name,
+                knob.family,
+                values.join(", "),
+                escaped(knob.about)
+            )
+        })
+        .collect();
+    let sections: String = scenes.iter().map(|scene| section(scene)).collect();
+    PAGE.replace("{{machine}}", &escaped(machine))
+        .replace("{{sentences}}", &sentences)
+        .replace("{{knobs}}", &knobs)
+        .replace("{{sections}}", &sections)
+}
+
+fn section(scene: &[Measured]) -> String {
+    let points: Vec<&Point> = scene.iter().map(|measured| &measured.point).collect();
+    let Some(first) = points.first() else { return String::new() };
+    let plots = [
+        scatter::svg("Against the traced pair, one ray per pixel", "mean ꟻLIP", &points, |p| {
+            p.to_traced.flip
+        }),
+        scatter::svg("Against many rays per pixel", "mean squared error", &points, |p| p.to_truth.view.mse),
+    ];
+    format!(
+        "<section>\n<h2>{}</h2>\n<div class=\"plots\">\n{}</div>\n{}</section>\n",
+        escaped(&first.scene),
+        plots.concat(),
+        table(scene)
+    )
+}
+
+/// From the greatest gain on: time saved first, then what is on the frontier.
+fn table(scene: &[Measured]) -> String {
+    let Some(naive) = scene.first().map(|measured| measured.point.milliseconds) else { return String::new() };
+    let points: Vec<&Point> = scene.iter().map(|measured| &measured.point).collect();
+    let best = frontier(&points, |point| point.to_traced.flip);
+    let mut sorted: Vec<&Measured> = scene.iter().collect();
+    sorted.sort_by(|a, b| a.point.milliseconds.total_cmp(&b.point.milliseconds));
+    let mut rows = String::new();
+    for Measured { point, flip, width } in sorted {
+        let on_frontier = best.iter().any(|other| std::ptr::eq(*other, point));
+        let map = match point.to_traced.flip > 0.0 {
+            true => map(flip, *width).map_or(String::new(), |uri| {
+                format!("<details><summary>errors</summary><img alt=\"ꟻLIP of each pixel\" src=\"{uri}\"></details>")
+            }),
+            false => String::new(),
+        };
+        let _ = writeln!(
+            rows,
+            "<tr{}><td>{}{map}</td><td class=\"number\">{}<small>{}</small></td><td class=\"number\">{:.0} %</td><td class=\"number\">{}</td>\
+             <td class=\"number\">{:.4}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
+             <td class=\"number\">{}</td></tr>",
+            if on_frontier { " class=\"best\"" } else { "" },
+            escaped(&point.settings),
+            number(point.milliseconds),
+            half_spread(point.spread),
+            100.0 * point.milliseconds / naive,
+            number(point.rays.all() as f64 / 1e6),
+            point.to_traced.flip,
+            number(point.to_traced.flip_visible_percent),
+            number(point.to_traced.view.mse),
+            number(point.to_traced.view.differing_percent),
+            number(point.to_truth.view.mse),
+        );
+    }
+    format!(
+        "<div class=\"table\"><table>\n<tr><th>settings</th><th>ms</th><th>of naive</th><th>Mrays</th><th>ꟻLIP</th><th>visible %</th>\
+         <th>MSE</th><th>differ %</th><th>MSE to truth</th></tr>\n{rows}</table></div>\n"
+    )
+}
+
+/// A picture of errors as a data URI: black where there is none, through red and yellow to white.
+fn map(flip: &[f64], width: usize) -> Option<String> {
+    let pixels: Vec<u8> = flip
+        .iter()
+        .flat_map(|value| [0.0, 1.0, 2.0].map(|third| (255.0 * (3.0 * value - third).clamp(0.0, 1.0)) as u8))
+        .collect();
+    let mut png = Vec::new();
+    let height = flip.len() / width.max(1);
+    image::codecs::png::PngEncoder::new(&mut png)
+        .write_image(&pixels, width as u32, height as u32, image::ExtendedColorType::Rgb8)
+        .ok()?;
+    Some(format!("data:image/png;base64,{}", base64(&png)))
+}
+
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len() * 4 / 3 + 4);
+    for chunk in bytes.chunks(3) {
+        let word = (0..3).fold(0_u32, |word, i| word << 8 | u32::from(chunk.get(i).copied().unwrap_or(0)));
+        for digit in 0..4 {
+            let padded = digit > chunk.len();
+            let index = (word >> (18 - 6 * digit)) & 63;
+            text.push(if padded { '=' } else { DIGITS[index as usize] as char });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::backend::{Cpu, Device};
+    use crate::render::Overrides;
+    use crate::study::{Study, study};
+
+    #[test]
+    fn bytes_become_base64() {
+        let cases = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
+        for (bytes, text) in cases {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+    }
+
+    #[test]
+    fn a_study_becomes_a_page_that_needs_nothing_else() {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/cornell.toml");
+        let mut scene = crate::scene::load(path.as_ref()).unwrap();
+        Overrides { size: Some([24, 16]), ..Overrides::default() }.apply(&mut scene).unwrap();
+        let knobs: Vec<_> = KNOBS.iter().filter(|knob| ["method", "bvh"].contains(&knob.name)).collect();
+        let case = Study { name: "a < b".into(), scene: &scene, knobs: &knobs, repetitions: 1 };
+        let mut device = Device::Cpu(Cpu::new(1).unwrap());
+        let (mut last, mut total) = (0, 0);
+        let points =
+            study(&case, &mut device, &mut None, &mut |done, of| (last, total) = (done, of)).unwrap();
+        assert_eq!((points.len(), last), (20, total), "ten methods, two structures");
+        for Measured { point, .. } in &points {
+            let copies = point.settings.contains("ideal");
+            assert!(point.milliseconds > 0.0 && point.rays.all() > 0 && point.scene_bytes > 0);
+            assert!(!copies || point.to_traced.flip > 0.0, "{}", point.settings);
+            let exact = ["method=naive", "method=guided", "bvh=quick"].contains(&&point.settings[..]);
+            assert!(!exact || point.to_traced.view.mse == 0.0, "{}", point.settings);
+        }
+        let page = page("one core & a fan", std::slice::from_ref(&points));
+        for outside in ["http:", "https:", "@import", "url(", "<script", "{{", "}}"] {
+            assert!(!page.contains(outside), "{outside}");
+        }
+        assert_eq!(page.matches("<circle").count(), 2 * points.len());
+        assert_eq!(page.matches("<td class=\"number\">").count(), 8 * points.len());
+        assert!(page.contains("a &lt; b") && page.contains("one core &amp; a fan"));
+        assert!(page.contains("src=\"data:image/png;base64,"), "errors of the copied view");
+    }
+}

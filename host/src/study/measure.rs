@@ -1,0 +1,223 @@
+//! Measures the points of a study.
+//!
+//! All points of a scene run in turn in each repetition, so that what disturbs one disturbs all. A time is that of the passes of both views;
+//! building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
+
+use super::{Settings, grid, knob::Knob};
+use crate::backend::{Backend, Device, Profile};
+use crate::build::Quality;
+use crate::metrics::{ViewError, flip, rel_mse, srgb8};
+use crate::render::band::Band;
+use crate::render::stereo::Plan;
+use crate::render::{
+    Method, RayTotals, RenderError, Renderer, Samples, SceneData, StereoOptions, ViewImages, render,
+};
+use crate::scene::Scene;
+use serde::Serialize;
+
+/// Rays per pixel of the truth: more than any knob asks for.
+const TRUTH: Samples = Samples::Jittered(8);
+
+/// A pixel whose ꟻLIP is above this looks different.
+const VISIBLE: f64 = 0.1;
+
+/// What to study.
+pub struct Study<'a> {
+    /// For reports.
+    pub name: String,
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Knobs of which all combinations are tried; if there are none, each knob by itself.
+    pub knobs: &'a [&'a Knob],
+    /// How often everything is run.
+    pub repetitions: usize,
+}
+
+/// How far a picture is from another one.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Distance {
+    /// Mean squared error, PSNR, differing pixels, disparities.
+    #[serde(flatten)]
+    pub view: ViewError,
+    /// Relative mean squared error of linear colours.
+    pub rel_mse: f64,
+    /// Mean ꟻLIP.
+    pub flip: f64,
+    /// Percentage of pixels whose ꟻLIP is above 0.1.
+    pub flip_visible_percent: f64,
+}
+
+/// A point of a study.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Point {
+    /// Which scene.
+    pub scene: String,
+    /// Where it ran.
+    pub backend: String,
+    /// The knobs that are not as usual.
+    pub settings: String,
+    /// Median time of the passes of both views.
+    pub milliseconds: f64,
+    /// Distance of the quartiles.
+    pub spread: f64,
+    /// Rays of both views, by kind.
+    pub rays: RayTotals,
+    /// Bytes of the scene and its structure, as they are uploaded.
+    pub scene_bytes: u64,
+    /// Against the traced pair with one ray per pixel.
+    pub to_traced: Distance,
+    /// Against the traced pair with many rays per pixel.
+    pub to_truth: Distance,
+}
+
+/// A point, and the picture of its errors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// The figures.
+    pub point: Point,
+    /// ꟻLIP of each pixel against the traced pair.
+    pub flip: Vec<f64>,
+    /// Columns of the picture.
+    pub width: usize,
+}
+
+/// Measures all points of a scene on `device`, and those of the fast profile on `fast`, if there is such a device. `progress` is told how many of how many runs are done.
+///
+/// # Errors
+/// When the scene cannot be rendered.
+pub fn study(
+    study: &Study<'_>,
+    device: &mut Device,
+    fast: &mut Option<Device>,
+    progress: &mut dyn FnMut(u64, u64),
+) -> Result<Vec<Measured>, RenderError> {
+    let data = SceneData::new(study.scene, Quality::Full)?;
+    let points: Vec<_> = grid(&data, study.knobs)
+        .into_iter()
+        .filter(|s| s.profile == Profile::Strict || fast.is_some())
+        .collect();
+    let scenes = Scenes::new(study.scene, data, &points)?;
+    let many = StereoOptions { samples: TRUTH, ..Method::Naive.into() };
+    let truth = second(device, &scenes.all[0].1, &many)?.0;
+    let traced = second(device, &scenes.all[0].1, &Method::Naive.into())?.0;
+    let mut measured = Vec::new();
+    let mut times = vec![Vec::new(); points.len()];
+    let total = (points.len() * (study.repetitions + 1)) as u64;
+    for round in 0..=study.repetitions {
+        for (number, settings) in points.iter().enumerate() {
+            let device = match (settings.profile, fast.as_mut()) {
+                (Profile::Fast, Some(fast)) => fast,
+                _ => &mut *device,
+            };
+            let data = scenes.of(settings);
+            if round == 0 {
+                measured.push(quality(study, device, data, settings, [&traced, &truth])?);
+            } else {
+                times[number].push(time(device, data, &settings.stereo)?);
+            }
+            progress((round * points.len() + number + 1) as u64, total);
+        }
+    }
+    for (measured, times) in measured.iter_mut().zip(&mut times) {
+        times.sort_by(f64::total_cmp);
+        let at =
+            |quarter: usize| times.get((times.len().max(1) - 1) * quarter / 4).map_or(0.0, |time| 1e3 * time);
+        (measured.point.milliseconds, measured.point.spread) = (at(2), at(3) - at(1));
+    }
+    Ok(measured)
+}
+
+/// The scene as each build quality and depth limit has it.
+struct Scenes {
+    all: Vec<((Quality, Option<u32>), SceneData)>,
+}
+
+impl Scenes {
+    fn new(scene: &Scene, full: SceneData, points: &[Settings]) -> Result<Self, RenderError> {
+        let mut all = vec![((Quality::Full, None), full)];
+        for settings in points {
+            let key = (settings.quality, settings.max_depth);
+            if !all.iter().any(|(known, _)| *known == key) {
+                let mut scene = scene.clone();
+                scene.max_depth = settings.max_depth.unwrap_or(scene.max_depth);
+                all.push((key, SceneData::new(&scene, settings.quality)?));
+            }
+        }
+        Ok(Self { all })
+    }
+
+    fn of(&self, settings: &Settings) -> &SceneData {
+        let key = (settings.quality, settings.max_depth);
+        let found = self.all.iter().find(|(known, _)| *known == key);
+        &found.unwrap_or(&self.all[0]).1
+    }
+}
+
+/// The second view and the rays of both.
+fn second(
+    device: &mut Device,
+    data: &SceneData,
+    options: &StereoOptions,
+) -> Result<(ViewImages, RayTotals), RenderError> {
+    let frame = render(device, data, options, &mut |_, _| {})?;
+    let [first, second] = frame.images.views;
+    let view = if options.first.eyes()[1] == 1 { second } else { first };
+    Ok((view, frame.rays))
+}
+
+fn quality(
+    study: &Study<'_>,
+    device: &mut Device,
+    data: &SceneData,
+    settings: &Settings,
+    [traced, truth]: [&ViewImages; 2],
+) -> Result<Measured, RenderError> {
+    let width = data.views[0].width as usize;
+    let (view, rays) = second(device, data, &settings.stereo)?;
+    let (to_traced, flip) = distance(&view, traced, width);
+    let (to_truth, _) = distance(&view, truth, width);
+    let bytes = std::mem::size_of_val(&data.rows[..])
+        + std::mem::size_of_val(&data.triangles[..])
+        + std::mem::size_of_val(&data.records[..])
+        + std::mem::size_of_val(&data.texels[..]);
+    let point = Point {
+        scene: study.name.clone(),
+        backend: device.describe(),
+        settings: settings.label(),
+        milliseconds: 0.0,
+        spread: 0.0,
+        rays,
+        scene_bytes: bytes as u64,
+        to_traced,
+        to_truth,
+    };
+    Ok(Measured { point, flip, width })
+}
+
+fn distance(view: &ViewImages, truth: &ViewImages, width: usize) -> (Distance, Vec<f64>) {
+    let flip = flip(&srgb8(&view.colour), &srgb8(&truth.colour), width);
+    let pixels = flip.len().max(1) as f64;
+    let visible = flip.iter().filter(|&&value| value > VISIBLE).count();
+    let distance = Distance {
+        view: ViewError::new(view, truth),
+        rel_mse: rel_mse(&view.colour, &truth.colour),
+        flip: flip.iter().sum::<f64>() / pixels,
+        flip_visible_percent: 100.0 * visible as f64 / pixels,
+    };
+    (distance, flip)
+}
+
+/// Seconds of the passes of both views.
+fn time(device: &mut Device, data: &SceneData, options: &StereoOptions) -> Result<f64, RenderError> {
+    let plan = Plan::new(data, options, false)?;
+    let mut renderer = Renderer::new(device, data)?;
+    let rows = renderer.suggested_rows(&plan);
+    let mut seconds = 0.0;
+    for band in Band::of_picture(data.views[0].height, rows) {
+        let buffers = renderer.pair_buffers(&plan, band)?;
+        let times = renderer.time_pair(&plan, &buffers, band)?;
+        seconds += times.iter().filter(|time| time.view.is_some()).map(|time| time.seconds).sum::<f64>();
+        renderer.release(buffers);
+    }
+    Ok(seconds)
+}
