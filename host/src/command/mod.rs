@@ -5,6 +5,7 @@
 //! bad scene.
 
 mod bench;
+mod choice;
 mod devices;
 mod diff;
 mod failure;

@@ -1,5 +1,6 @@
 //! `parallax render`.
 
+use super::choice::ChoiceOptions;
 use super::failure::{Blame, Failure};
 use super::frames::{self, Frames};
 use super::options::{DeviceOptions, Loaded, MethodOptions, SceneOptions};
@@ -29,6 +30,7 @@ Examples:
   parallax render --method atomic --verify edges --first right
   parallax render spheres --method atomic --maps --reference
   parallax render default --samples adaptive-2 --method scanline
+  parallax render dragon --budget-ms 200       the best picture of that time, by what `parallax study dragon` has shown
   parallax render spheres_turned --frames 0..239 --out turning    (stopped, it goes on where it was)
 
 Files: NAME.exr holds both views in linear light (attribute multiView; with --aov also t, disparity, prim_id
@@ -66,6 +68,8 @@ pub struct Options {
     /// NAME_error.png.
     #[arg(long)]
     reference: bool,
+    #[command(flatten)]
+    choice: ChoiceOptions,
     /// Frames of an animation, first and last: NAME_000000.exr and so on. What is there already is kept.
     #[arg(long, value_name = "A..B")]
     frames: Option<Frames>,
@@ -106,6 +110,9 @@ struct Report {
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     let stereo = options.method.stereo()?;
+    if options.choice.is_made() {
+        return by_study(options);
+    }
     match options.frames {
         Some(frames) => animate(options, &stereo, frames),
         None => {
@@ -114,10 +121,26 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
             report::warn(&loaded.warnings);
             let mut device = backend::select(&options.device.selection()).work()?;
             let name = loaded.scene.name.clone();
-            options.json.publish(&render(options, &stereo, loaded, &mut device, &name, started)?)?;
+            let frame = Render { stereo: &stereo, quality: Quality::Full, name: &name, started };
+            options.json.publish(&render(options, &frame, loaded, &mut device)?)?;
             Ok(ExitCode::SUCCESS)
         }
     }
+}
+
+/// Renders with the settings that a study suggests.
+fn by_study(options: &Options) -> Result<ExitCode, Failure> {
+    let started = Instant::now();
+    let mut loaded = options.scene.load()?;
+    report::warn(&loaded.warnings);
+    let selection = options.device.selection();
+    let mut device = backend::select(&selection).work()?;
+    let settings = options.choice.choose(&loaded.scene, &device.describe(), selection.profile)?;
+    loaded.scene.max_depth = settings.max_depth.unwrap_or(loaded.scene.max_depth);
+    let name = loaded.scene.name.clone();
+    let frame = Render { stereo: &settings.stereo, quality: settings.quality, name: &name, started };
+    options.json.publish(&render(options, &frame, loaded, &mut device)?)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Renders the frames that are not there yet. JSON is an object a line, for each frame that was rendered.
@@ -136,7 +159,8 @@ fn animate(options: &Options, stereo: &StereoOptions, frames: Frames) -> Result<
         let started = Instant::now();
         let loaded = options.scene.load_frame(frame)?;
         let name = frames::name(&first.scene.name, frame);
-        let report = render(options, stereo, loaded, &mut device, &name, started)?;
+        let of_frame = Render { stereo, quality: Quality::Full, name: &name, started };
+        let report = render(options, &of_frame, loaded, &mut device)?;
         let rays = grouped(report.rays.all());
         text.push(format!(
             "frame {frame}: {} in {}, {rays} rays",
@@ -176,19 +200,28 @@ fn settings(
     Ok(settings.map(|(key, value)| (key.to_string(), value)).into_iter().collect())
 }
 
-/// Renders the scene and writes its files, which are called `name`.
+/// How one pair is rendered.
+#[derive(Clone, Copy)]
+struct Render<'a> {
+    stereo: &'a StereoOptions,
+    quality: Quality,
+    /// What the files are called.
+    name: &'a str,
+    started: Instant,
+}
+
+/// Renders the scene and writes its files.
 fn render(
     options: &Options,
-    stereo: &StereoOptions,
+    frame: &Render<'_>,
     loaded: Loaded,
     device: &mut Device,
-    name: &str,
-    started: Instant,
 ) -> Result<Report, Failure> {
+    let Render { stereo, quality, name, started } = *frame;
     let Loaded { scene, path, warnings, seconds } = loaded;
     let mut stages = vec![StageTime { view: None, stage: "load", seconds }];
     let mut clock = Clock(Instant::now());
-    let data = SceneData::new(&scene, Quality::Full).usage()?;
+    let data = SceneData::new(&scene, quality).usage()?;
     stereo.check_size(&data).usage()?;
     stages.push(clock.stage("build"));
 

@@ -7,7 +7,9 @@ use super::progress::Progress;
 use super::report::{save, warn};
 use anyhow::anyhow;
 use parallax::backend::{self, Backend, Device, Profile, Selection};
-use parallax::render::Overrides;
+use parallax::build::Quality;
+use parallax::render::{Overrides, SceneData};
+use parallax::scene::Scene;
 use parallax::study::{self, KNOBS, Knob, Measured, Study};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -18,9 +20,11 @@ Examples:
   parallax study --quick --out study           four scenes, small: three minutes on two cores
   parallax study dragon --out study --size 800x600
   parallax study sphereflake --out study --knob method,verify    all combinations of two knobs
+  parallax study spot whitted --effects --out study    what each effect costs, as code and as work
   parallax study default --out study --backend gpu               with the price of strict arithmetic
 
-Files: study.jsonl has an object for each point; study.html has plots, tables and pictures of errors, and needs no network.";
+Files: study.jsonl has an object for each point; study.html has plots, tables and pictures of errors, and needs
+no network; effects.jsonl has the costs of effects.";
 
 /// What is studied when no scene is named.
 const SCENES: [&str; 4] = ["dragon", "sponza", "sphereflake", "cornell"];
@@ -44,6 +48,9 @@ pub struct Options {
     /// Knobs of which all combinations are tried [default: each knob by itself].
     #[arg(long, value_name = "KNOB", value_delimiter = ',')]
     knob: Vec<String>,
+    /// What each effect costs instead: with its code where nothing uses it, and left out where something does.
+    #[arg(long, conflicts_with = "knob")]
+    effects: bool,
     /// Size of each picture.
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
@@ -68,6 +75,9 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
         Device::Cpu(_) => None,
         Device::Gpu(_) => Some(backend::select(&Selection { profile: Profile::Fast, ..selection }).work()?),
     };
+    if options.effects {
+        return effects(options, &mut device);
+    }
     let mut scenes = Vec::new();
     for path in paths(options) {
         match measure(options, &path, &knobs, &mut device, &mut fast) {
@@ -103,16 +113,44 @@ fn measure(
     device: &mut Device,
     fast: &mut Option<Device>,
 ) -> Result<Vec<Measured>, Failure> {
-    let quick = usize::from(options.quick);
-    let mut scene = locate::load(&locate::scene(Some(path)).usage()?, 0)?;
-    let size = options.size.unwrap_or(SIZES[quick]);
-    Overrides { size: Some(size), ..Overrides::default() }.apply(&mut scene).usage()?;
-    let name = format!("{} {}x{}", scene.name, size[0], size[1]);
+    let scene = load(options, path)?;
+    let name = scene.name.clone();
     let mut progress = Progress::new();
     let mut tell = |done, total| progress.update(&name, done, total);
-    let repetitions = options.repetitions.map_or(REPETITIONS[quick], |repetitions| repetitions as usize);
+    let repetitions = repetitions(options);
     let study = Study { name: name.clone(), scene: &scene, knobs, repetitions };
     study::study(&study, device, fast, &mut tell).work()
+}
+
+/// The scene in the size that is asked for.
+fn load(options: &Options, path: &Path) -> Result<Scene, Failure> {
+    let mut scene = locate::load(&locate::scene(Some(path)).usage()?, 0)?;
+    let size = options.size.unwrap_or(SIZES[usize::from(options.quick)]);
+    Overrides { size: Some(size), ..Overrides::default() }.apply(&mut scene).usage()?;
+    Ok(scene)
+}
+
+fn repetitions(options: &Options) -> usize {
+    options.repetitions.map_or(REPETITIONS[usize::from(options.quick)], |repetitions| repetitions as usize)
+}
+
+/// Measures what effects cost, and writes effects.jsonl.
+fn effects(options: &Options, device: &mut Device) -> Result<ExitCode, Failure> {
+    let mut lines = Vec::new();
+    for path in paths(options) {
+        let scene = load(options, &path)?;
+        let name = scene.name.clone();
+        let data = SceneData::new(&scene, Quality::Full).usage()?;
+        let mut progress = Progress::new();
+        let mut tell = |done, total| progress.update(&name, done, total);
+        let costs = study::effects(&name, &data, device, repetitions(options), &mut tell).work()?;
+        drop(progress);
+        println!("{name}");
+        costs.iter().for_each(|cost| println!("{cost}"));
+        lines.extend(costs.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>().work()?);
+    }
+    save(&options.out.join("effects.jsonl"), "--out", &(lines.join("\n") + "\n"))?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Writes the files, and tells a sentence per scene.

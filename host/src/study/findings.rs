@@ -83,6 +83,9 @@ mod tests {
     fn point(settings: &str, milliseconds: f64, to_traced: f64, to_truth: f64) -> Point {
         Point {
             scene: "box".into(),
+            width: 1,
+            height: 1,
+            profile: "strict",
             backend: "CPU".into(),
             settings: settings.into(),
             milliseconds,

@@ -48,7 +48,7 @@ fn section(scene: &[Measured]) -> String {
     ];
     format!(
         "<section>\n<h2>{}</h2>\n<div class=\"plots\">\n{}</div>\n{}</section>\n",
-        escaped(&first.scene),
+        escaped(&format!("{} {}×{}", first.scene, first.width, first.height)),
         plots.concat(),
         table(scene)
     )

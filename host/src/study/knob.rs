@@ -185,6 +185,15 @@ impl Settings {
         if label.is_empty() { "method=naive".into() } else { label }
     }
 
+    /// The settings of a [`label`](Self::label); none if it names a knob or a value that there is not.
+    pub fn parse(label: &str) -> Option<Self> {
+        label.split_whitespace().try_fold(Self::default(), |settings, setting| {
+            let (name, value) = setting.split_once('=')?;
+            let knob = KNOBS.iter().find(|knob| knob.name == name)?;
+            knob.values.iter().find(|known| known.name == value).map(|value| settings.with(value))
+        })
+    }
+
     /// These, with one knob set to `value`.
     #[must_use]
     pub fn with(&self, value: &Value) -> Self {
@@ -254,6 +263,18 @@ mod tests {
             }
         }
         assert!(!grid(&data("cornell"), &[]).iter().any(|s| s.max_depth.is_some()), "nothing reflects there");
+    }
+
+    #[test]
+    fn labels_say_all_there_is_to_settings() {
+        for name in ["whitted", "cornell"] {
+            for settings in grid(&data(name), &[]) {
+                assert_eq!(Settings::parse(&settings.label()), Some(settings), "{}", settings.label());
+            }
+        }
+        for wrong in ["method", "method=magic", "magic=naive", "=", "method=naive,"] {
+            assert_eq!(Settings::parse(wrong), None, "{wrong}");
+        }
     }
 
     #[test]

@@ -3,7 +3,9 @@
 //! All points of a scene run in turn in each repetition, so that what disturbs one disturbs all. A time is that of the passes of both views;
 //! building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
 
-use super::{Settings, grid, knob::Knob};
+use super::effects::quartiles;
+use super::knob::Knob;
+use super::{Settings, grid};
 use crate::backend::{Backend, Device, Profile};
 use crate::build::Quality;
 use crate::metrics::{ViewError, flip, rel_mse, srgb8};
@@ -52,8 +54,14 @@ pub struct Distance {
 pub struct Point {
     /// Which scene.
     pub scene: String,
+    /// Columns of a view.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
     /// Where it ran.
     pub backend: String,
+    /// The arithmetic.
+    pub profile: &'static str,
     /// The knobs that are not as usual.
     pub settings: String,
     /// Median time of the passes of both views.
@@ -118,11 +126,9 @@ pub fn study(
             progress((round * points.len() + number + 1) as u64, total);
         }
     }
-    for (measured, times) in measured.iter_mut().zip(&mut times) {
-        times.sort_by(f64::total_cmp);
-        let at =
-            |quarter: usize| times.get((times.len().max(1) - 1) * quarter / 4).map_or(0.0, |time| 1e3 * time);
-        (measured.point.milliseconds, measured.point.spread) = (at(2), at(3) - at(1));
+    for (measured, times) in measured.iter_mut().zip(&times) {
+        let [low, median, high] = quartiles(times.iter().map(|seconds| 1e3 * seconds).collect());
+        (measured.point.milliseconds, measured.point.spread) = (median, high - low);
     }
     Ok(measured)
 }
@@ -182,7 +188,10 @@ fn quality(
         + std::mem::size_of_val(&data.texels[..]);
     let point = Point {
         scene: study.name.clone(),
+        width: data.views[0].width,
+        height: data.views[0].height,
         backend: device.describe(),
+        profile: settings.profile.name(),
         settings: settings.label(),
         milliseconds: 0.0,
         spread: 0.0,
@@ -208,7 +217,11 @@ fn distance(view: &ViewImages, truth: &ViewImages, width: usize) -> (Distance, V
 }
 
 /// Seconds of the passes of both views.
-fn time(device: &mut Device, data: &SceneData, options: &StereoOptions) -> Result<f64, RenderError> {
+pub(super) fn time(
+    device: &mut Device,
+    data: &SceneData,
+    options: &StereoOptions,
+) -> Result<f64, RenderError> {
     let plan = Plan::new(data, options, false)?;
     let mut renderer = Renderer::new(device, data)?;
     let rows = renderer.suggested_rows(&plan);
