@@ -5,6 +5,7 @@ pub mod bench;
 pub mod build;
 pub mod compare;
 pub mod diff;
+mod html;
 pub mod metrics;
 pub mod output;
 pub mod render;

@@ -31,7 +31,8 @@ pub struct Found {
     pub material: u32,
 }
 
-fn wide(v: [f32; 3]) -> DVec3 {
+/// A vector in f64.
+pub fn wide(v: [f32; 3]) -> DVec3 {
     DVec3::from(v.map(f64::from))
 }
 

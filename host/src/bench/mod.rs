@@ -10,6 +10,7 @@
 mod contender;
 #[cfg(feature = "embree")]
 mod embree;
+pub(crate) mod quartiles;
 mod rays;
 pub mod stereo;
 mod timing;

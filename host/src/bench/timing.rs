@@ -1,6 +1,7 @@
 //! Interleaved timing: every contender does a chunk of rays before any does the next.
 
 use super::contender::Contender;
+use super::quartiles::quartiles;
 use parallax_shared::layout::{Hit, NONE, Ray};
 use std::time::Instant;
 
@@ -36,14 +37,10 @@ impl Timings {
     /// Seconds for all rays: of each chunk the lower quartile, the median and the upper quartile over the repetitions. Whatever else
     /// the machine does falls on single chunks, and does not touch the median.
     fn totals(&self, contender: usize) -> (f64, f64, f64) {
-        let mut totals = (0.0, 0.0, 0.0);
-        for chunk in &self.seconds[contender] {
-            let mut chunk = chunk.clone();
-            chunk.sort_by(f64::total_cmp);
-            let at = |quarter: usize| chunk[(chunk.len() - 1) * quarter / 4];
-            totals = (totals.0 + at(1), totals.1 + at(2), totals.2 + at(3));
-        }
-        totals
+        self.seconds[contender].iter().fold((0.0, 0.0, 0.0), |totals, chunk| {
+            let [least, middle, most] = quartiles(chunk.iter().copied());
+            (totals.0 + least, totals.1 + middle, totals.2 + most)
+        })
     }
 }
 

@@ -30,17 +30,31 @@ const RGB: [[f64; 3]; 3] = [
     [0.055_639_423, -0.204_011_202, 1.057_148_933],
 ];
 
+/// XYZ of white.
+const WHITE: Colour =
+    [XYZ[0][0] + XYZ[0][1] + XYZ[0][2], XYZ[1][0] + XYZ[1][1] + XYZ[1][2], XYZ[2][0] + XYZ[2][1] + XYZ[2][2]];
+
 type Colour = [f64; 3];
 
-/// The difference of each pixel, from 0 to 1. Pictures are 8-bit sRGB and have `width` columns.
-pub fn flip(picture: &[[u8; 3]], reference: &[[u8; 3]], width: usize) -> Vec<f64> {
-    if picture.is_empty() || width == 0 {
-        return vec![];
+/// What a viewer sees of a picture: worked out once, however many others it is held against.
+pub struct Perceived {
+    colours: Vec<Colour>,
+    features: Vec<[f64; 2]>,
+}
+
+impl Perceived {
+    /// That of a picture in 8-bit sRGB with `width` columns.
+    pub fn new(pixels: &[[u8; 3]], width: usize) -> Self {
+        let picture = Opponent::new(pixels, width.max(1));
+        Self { colours: picture.filtered(), features: picture.features() }
     }
-    let [shown, truth] = [picture, reference].map(|pixels| Opponent::new(pixels, width));
-    let colours = colour_differences(&shown.filtered(), &truth.filtered());
-    let features = feature_differences(&shown.features(), &truth.features());
-    colours.into_iter().zip(features).map(|(colour, feature)| colour.powf(1.0 - feature)).collect()
+
+    /// The difference of each pixel from that of a picture of the same size, from 0 to 1.
+    pub fn flip(&self, reference: &Self) -> Vec<f64> {
+        let colours = colour_differences(&self.colours, &reference.colours);
+        let features = feature_differences(&self.features, &reference.features);
+        colours.into_iter().zip(features).map(|(colour, feature)| colour.powf(1.0 - feature)).collect()
+    }
 }
 
 /// A picture in linearised opponent colours (YCxCz).
@@ -67,20 +81,19 @@ impl Opponent {
         pixels.map(|((y, cx), cz)| from_opponent([*y, *cx, *cz]).map(|value| value.clamp(0.0, 1.0))).collect()
     }
 
-    /// A channel, convolved with the sum of two Gaussians, whose weights sum to one.
+    /// A channel, convolved with the sum of Gaussians, whose weights sum to one.
     fn blurred(&self, channel: usize, [a1, b1, a2, b2]: [f64; 4], radius: i64) -> Vec<f64> {
         let values: Vec<f64> = self.pixels.iter().map(|pixel| pixel[channel]).collect();
-        let term = |a: f64, b: f64| {
+        let (mut blurred, mut total) = (vec![0.0; values.len()], 0.0);
+        for (a, b) in [(a1, b1), (a2, b2)].into_iter().filter(|(a, _)| *a > 0.0) {
             let weight = |x: i64| (-(PI * x as f64 / PIXELS_PER_DEGREE).powi(2) / b).exp();
             let kernel: Vec<f64> = (-radius..=radius).map(weight).collect();
-            let sum: f64 = kernel.iter().sum();
             let scale = a * (PI / b).sqrt();
-            (convolved(&values, self.width, &kernel, &kernel), scale, scale * sum * sum)
-        };
-        let ((first, first_scale, first_sum), (second, second_scale, second_sum)) =
-            (term(a1, b1), term(a2, b2));
-        let sum = first_sum + second_sum;
-        first.iter().zip(second).map(|(a, b)| (first_scale * a + second_scale * b) / sum).collect()
+            total += scale * kernel.iter().sum::<f64>().powi(2);
+            let term = convolved(&values, self.width, &kernel, &kernel);
+            blurred.iter_mut().zip(term).for_each(|(sum, value)| *sum += scale * value);
+        }
+        blurred.iter().map(|sum| sum / total).collect()
     }
 
     /// How much of an edge and of a point each pixel is (§4.2).
@@ -159,9 +172,8 @@ fn product(matrix: &[[f64; 3]; 3], [x, y, z]: Colour) -> Colour {
 
 /// XYZ over that of white.
 fn relative_xyz(rgb: Colour) -> Colour {
-    let white = XYZ.map(|row| row.iter().sum::<f64>());
     let xyz = product(&XYZ, rgb);
-    [0, 1, 2].map(|i| xyz[i] / white[i])
+    [0, 1, 2].map(|i| xyz[i] / WHITE[i])
 }
 
 fn opponent(rgb: Colour) -> Colour {
@@ -170,10 +182,9 @@ fn opponent(rgb: Colour) -> Colour {
 }
 
 fn from_opponent([y, cx, cz]: Colour) -> Colour {
-    let white = XYZ.map(|row| row.iter().sum::<f64>());
     let y = (y + 16.0) / 116.0;
     let relative = [y + cx / 500.0, y, y - cz / 200.0];
-    product(&RGB, [0, 1, 2].map(|i| relative[i] * white[i]))
+    product(&RGB, [0, 1, 2].map(|i| relative[i] * WHITE[i]))
 }
 
 /// L*a*b* in which dark colours are less colourful (Hunt).
@@ -195,6 +206,10 @@ fn hyab(a: Colour, b: Colour) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn flip(picture: &[[u8; 3]], reference: &[[u8; 3]], width: usize) -> Vec<f64> {
+        Perceived::new(picture, width).flip(&Perceived::new(reference, width))
+    }
 
     /// A picture with edges, points, gradients and saturated colours, and one like it.
     fn pair(width: usize, height: usize) -> [Vec<[u8; 3]>; 2] {

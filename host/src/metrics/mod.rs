@@ -2,7 +2,7 @@
 
 mod flip;
 
-pub use flip::flip;
+pub use flip::Perceived;
 
 use crate::render::ViewImages;
 use parallax_shared::camera::disparity_px;

@@ -6,6 +6,7 @@
 
 use super::measure::time;
 use crate::backend::{Backend, Device};
+use crate::bench::quartiles::quartiles;
 use crate::render::{Method, RenderError, SceneData};
 use parallax_shared::effects::Effects;
 use serde::Serialize;
@@ -80,8 +81,8 @@ pub fn effects(
     }
     let backend = device.describe();
     let cost = |((effect, change, _), seconds): (&(&'static str, Change, Effects), &Vec<f64>)| {
-        let ratios = seconds.iter().zip(&times[0]).map(|(of, own)| of / own).collect();
-        let [_, milliseconds, _] = quartiles(seconds.iter().map(|seconds| 1e3 * seconds).collect());
+        let ratios = seconds.iter().zip(&times[0]).map(|(of, own)| of / own);
+        let [_, milliseconds, _] = quartiles(seconds.iter().map(|seconds| 1e3 * seconds));
         let [low, ratio, high] = quartiles(ratios);
         let scene = name.to_owned();
         EffectCost {
@@ -95,12 +96,6 @@ pub fn effects(
         }
     };
     Ok(variants.iter().zip(&times).map(cost).collect())
-}
-
-/// Lower quartile, median and upper quartile; zeros of nothing.
-pub(super) fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
-    values.sort_by(f64::total_cmp);
-    [1, 2, 3].map(|quarter| values.get((values.len().max(1) - 1) * quarter / 4).copied().unwrap_or(0.0))
 }
 
 impl fmt::Display for EffectCost {
@@ -147,11 +142,5 @@ mod tests {
         assert_eq!((costs[0].ratio, costs[0].spread), (1.0, 0.0));
         assert!(costs.iter().all(|cost| cost.milliseconds > 0.0 && cost.ratio > 0.0));
         assert!(costs[1].to_string().contains("all             carried, unused"));
-    }
-
-    #[test]
-    fn quartiles_of_few_and_of_none() {
-        assert_eq!(quartiles(vec![4.0, 0.0, 3.0, 1.0, 2.0]), [1.0, 2.0, 3.0]);
-        assert_eq!((quartiles(vec![7.0]), quartiles(vec![])), ([7.0; 3], [0.0; 3]));
     }
 }

@@ -1,44 +1,47 @@
 //! A study as one HTML file.
 
 use super::findings::{frontier, sentence};
-use super::{KNOBS, Measured, Point, scatter};
-use crate::bench::stereo::plot::{escaped, half_spread, number};
+use super::{KNOBS, Knob, Measured, Point, scatter};
+use crate::html::{STYLE, escaped, half_spread, number};
+use base64::prelude::{BASE64_STANDARD, Engine};
 use image::ImageEncoder;
-use std::fmt::Write;
 
 /// The page without its content.
 const PAGE: &str = include_str!("page.html");
 
 /// A page that needs nothing but itself. `scenes` are the points of each scene, of which the first is the traced pair.
 pub fn page(machine: &str, scenes: &[Vec<Measured>]) -> String {
-    let points = |scene: &'_ Vec<Measured>| scene.iter().map(|m| m.point.clone()).collect::<Vec<_>>();
     let sentences: String = scenes
         .iter()
-        .filter_map(|scene| sentence(&points(scene).iter().collect::<Vec<_>>()))
+        .filter_map(|scene| sentence(&points(scene)))
         .map(|sentence| format!("<li>{}</li>\n", escaped(&sentence)))
         .collect();
-    let knobs: String = KNOBS
-        .iter()
-        .map(|knob| {
-            let values: Vec<_> = knob.values.iter().map(|value| value.name).collect();
-            format!(
-                "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                knob.name,
-                knob.family,
-                values.join(", "),
-                escaped(knob.about)
-            )
-        })
-        .collect();
+    let knobs: String = KNOBS.iter().map(knob_row).collect();
     let sections: String = scenes.iter().map(|scene| section(scene)).collect();
-    PAGE.replace("{{machine}}", &escaped(machine))
+    PAGE.replace("{{style}}", STYLE)
+        .replace("{{machine}}", &escaped(machine))
         .replace("{{sentences}}", &sentences)
         .replace("{{knobs}}", &knobs)
         .replace("{{sections}}", &sections)
 }
 
+fn points(scene: &[Measured]) -> Vec<&Point> {
+    scene.iter().map(|measured| &measured.point).collect()
+}
+
+fn knob_row(knob: &Knob) -> String {
+    let values: Vec<_> = knob.values.iter().map(|value| value.name).collect();
+    format!(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        knob.name,
+        knob.family,
+        values.join(", "),
+        escaped(knob.about)
+    )
+}
+
 fn section(scene: &[Measured]) -> String {
-    let points: Vec<&Point> = scene.iter().map(|measured| &measured.point).collect();
+    let points = points(scene);
     let Some(first) = points.first() else { return String::new() };
     let plots = [
         scatter::svg("Against the traced pair, one ray per pixel", "mean ꟻLIP", &points, |p| {
@@ -54,72 +57,59 @@ fn section(scene: &[Measured]) -> String {
     )
 }
 
-/// From the greatest gain on: time saved first, then what is on the frontier.
+/// The points from the fastest on; those that no other one beats are bold.
 fn table(scene: &[Measured]) -> String {
     let Some(naive) = scene.first().map(|measured| measured.point.milliseconds) else { return String::new() };
-    let points: Vec<&Point> = scene.iter().map(|measured| &measured.point).collect();
-    let best = frontier(&points, |point| point.to_traced.flip);
+    let best = frontier(&points(scene), |point| point.to_traced.flip);
     let mut sorted: Vec<&Measured> = scene.iter().collect();
     sorted.sort_by(|a, b| a.point.milliseconds.total_cmp(&b.point.milliseconds));
-    let mut rows = String::new();
-    for Measured { point, flip, width } in sorted {
-        let on_frontier = best.iter().any(|other| std::ptr::eq(*other, point));
-        let map = match point.to_traced.flip > 0.0 {
-            true => map(flip, *width).map_or(String::new(), |uri| {
-                format!("<details><summary>errors</summary><img alt=\"ꟻLIP of each pixel\" src=\"{uri}\"></details>")
-            }),
-            false => String::new(),
-        };
-        let _ = writeln!(
-            rows,
-            "<tr{}><td>{}{map}</td><td class=\"number\">{}<small>{}</small></td><td class=\"number\">{:.0} %</td><td class=\"number\">{}</td>\
-             <td class=\"number\">{:.4}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>\
-             <td class=\"number\">{}</td></tr>",
-            if on_frontier { " class=\"best\"" } else { "" },
-            escaped(&point.settings),
-            number(point.milliseconds),
-            half_spread(point.spread),
-            100.0 * point.milliseconds / naive,
-            number(point.rays.all() as f64 / 1e6),
-            point.to_traced.flip,
-            number(point.to_traced.flip_visible_percent),
-            number(point.to_traced.view.mse),
-            number(point.to_traced.view.differing_percent),
-            number(point.to_truth.view.mse),
-        );
-    }
+    let is_best = |point: &Point| best.iter().any(|other| std::ptr::eq(*other, point));
+    let rows: String =
+        sorted.into_iter().map(|measured| row(measured, naive, is_best(&measured.point))).collect();
+    let heads = ["ms", "of naive", "Mrays", "ꟻLIP", "visible %", "MSE", "differ %", "MSE to truth"]
+        .map(|head| format!("<th>{head}</th>"));
     format!(
-        "<div class=\"table\"><table>\n<tr><th>settings</th><th>ms</th><th>of naive</th><th>Mrays</th><th>ꟻLIP</th><th>visible %</th>\
-         <th>MSE</th><th>differ %</th><th>MSE to truth</th></tr>\n{rows}</table></div>\n"
+        "<div class=\"table\"><table>\n<tr><th>settings</th>{}</tr>\n{rows}</table></div>\n",
+        heads.concat()
     )
 }
 
+/// A point: its settings with the picture of its errors, and its figures.
+fn row(Measured { point, flip }: &Measured, naive: f64, is_best: bool) -> String {
+    let errors = match point.to_traced.flip > 0.0 {
+        true => map(flip, point.width, point.height).map_or(String::new(), |uri| {
+            format!(
+                "<details><summary>errors</summary><img alt=\"ꟻLIP of each pixel\" src=\"{uri}\"></details>"
+            )
+        }),
+        false => String::new(),
+    };
+    let figures = [
+        format!("{}<small>{}</small>", number(point.milliseconds), half_spread(point.spread)),
+        format!("{:.0} %", 100.0 * point.milliseconds / naive),
+        number(point.rays.all() as f64 / 1e6),
+        format!("{:.4}", point.to_traced.flip),
+        number(point.to_traced.flip_visible_percent),
+        number(point.to_traced.view.mse),
+        number(point.to_traced.view.differing_percent),
+        number(point.to_truth.view.mse),
+    ];
+    let cells = figures.map(|figure| format!("<td class=\"number\">{figure}</td>"));
+    let class = if is_best { " class=\"best\"" } else { "" };
+    format!("<tr{class}><td>{}{errors}</td>{}</tr>\n", escaped(&point.settings), cells.concat())
+}
+
 /// A picture of errors as a data URI: black where there is none, through red and yellow to white.
-fn map(flip: &[f64], width: usize) -> Option<String> {
+fn map(flip: &[f64], width: u32, height: u32) -> Option<String> {
     let pixels: Vec<u8> = flip
         .iter()
         .flat_map(|value| [0.0, 1.0, 2.0].map(|third| (255.0 * (3.0 * value - third).clamp(0.0, 1.0)) as u8))
         .collect();
     let mut png = Vec::new();
-    let height = flip.len() / width.max(1);
     image::codecs::png::PngEncoder::new(&mut png)
-        .write_image(&pixels, width as u32, height as u32, image::ExtendedColorType::Rgb8)
+        .write_image(&pixels, width, height, image::ExtendedColorType::Rgb8)
         .ok()?;
-    Some(format!("data:image/png;base64,{}", base64(&png)))
-}
-
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len() * 4 / 3 + 4);
-    for chunk in bytes.chunks(3) {
-        let word = (0..3).fold(0_u32, |word, i| word << 8 | u32::from(chunk.get(i).copied().unwrap_or(0)));
-        for digit in 0..4 {
-            let padded = digit > chunk.len();
-            let index = (word >> (18 - 6 * digit)) & 63;
-            text.push(if padded { '=' } else { DIGITS[index as usize] as char });
-        }
-    }
-    text
+    Some(format!("data:image/png;base64,{}", BASE64_STANDARD.encode(&png)))
 }
 
 #[cfg(test)]
@@ -128,14 +118,6 @@ mod tests {
     use crate::backend::{Cpu, Device};
     use crate::render::Overrides;
     use crate::study::{Study, study};
-
-    #[test]
-    fn bytes_become_base64() {
-        let cases = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
-        for (bytes, text) in cases {
-            assert_eq!(base64(bytes.as_bytes()), text);
-        }
-    }
 
     #[test]
     fn a_study_becomes_a_page_that_needs_nothing_else() {

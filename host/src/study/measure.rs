@@ -3,12 +3,12 @@
 //! All points of a scene run in turn in each repetition, so that what disturbs one disturbs all. A time is that of the passes of both views;
 //! building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
 
-use super::effects::quartiles;
 use super::knob::Knob;
 use super::{Settings, grid};
 use crate::backend::{Backend, Device, Profile};
+use crate::bench::quartiles::quartiles;
 use crate::build::Quality;
-use crate::metrics::{ViewError, flip, rel_mse, srgb8};
+use crate::metrics::{Perceived, ViewError, rel_mse, srgb8};
 use crate::render::band::Band;
 use crate::render::stereo::Plan;
 use crate::render::{
@@ -85,11 +85,10 @@ pub struct Measured {
     pub point: Point,
     /// ꟻLIP of each pixel against the traced pair.
     pub flip: Vec<f64>,
-    /// Columns of the picture.
-    pub width: usize,
 }
 
-/// Measures all points of a scene on `device`, and those of the fast profile on `fast`, if there is such a device. `progress` is told how many of how many runs are done.
+/// Measures all points of a scene on `device`, and those of the fast profile on `fast`, if there is such a device. `progress` is told
+/// how many of how many runs are done.
 ///
 /// # Errors
 /// When the scene cannot be rendered.
@@ -106,8 +105,8 @@ pub fn study(
         .collect();
     let scenes = Scenes::new(study.scene, data, &points)?;
     let many = StereoOptions { samples: TRUTH, ..Method::Naive.into() };
-    let truth = second(device, &scenes.all[0].1, &many)?.0;
-    let traced = second(device, &scenes.all[0].1, &Method::Naive.into())?.0;
+    let (truth, _) = second(device, &scenes.all[0].1, &many)?;
+    let (traced, _) = second(device, &scenes.all[0].1, &Method::Naive.into())?;
     let mut measured = Vec::new();
     let mut times = vec![Vec::new(); points.len()];
     let total = (points.len() * (study.repetitions + 1)) as u64;
@@ -127,7 +126,7 @@ pub fn study(
         }
     }
     for (measured, times) in measured.iter_mut().zip(&times) {
-        let [low, median, high] = quartiles(times.iter().map(|seconds| 1e3 * seconds).collect());
+        let [low, median, high] = quartiles(times.iter().map(|seconds| 1e3 * seconds));
         (measured.point.milliseconds, measured.point.spread) = (median, high - low);
     }
     Ok(measured)
@@ -159,16 +158,23 @@ impl Scenes {
     }
 }
 
+/// A view, and what a viewer sees of it.
+struct Picture {
+    view: ViewImages,
+    perceived: Perceived,
+}
+
 /// The second view and the rays of both.
 fn second(
     device: &mut Device,
     data: &SceneData,
     options: &StereoOptions,
-) -> Result<(ViewImages, RayTotals), RenderError> {
-    let frame = render(device, data, options, &mut |_, _| {})?;
-    let [first, second] = frame.images.views;
-    let view = if options.first.eyes()[1] == 1 { second } else { first };
-    Ok((view, frame.rays))
+) -> Result<(Picture, RayTotals), RenderError> {
+    let mut frame = render(device, data, options, &mut |_, _| {})?;
+    let [_, second] = options.first.eyes();
+    let view = std::mem::take(&mut frame.images.views[second]);
+    let perceived = Perceived::new(&srgb8(&view.colour), frame.images.width as usize);
+    Ok((Picture { view, perceived }, frame.rays))
 }
 
 fn quality(
@@ -176,16 +182,15 @@ fn quality(
     device: &mut Device,
     data: &SceneData,
     settings: &Settings,
-    [traced, truth]: [&ViewImages; 2],
+    [traced, truth]: [&Picture; 2],
 ) -> Result<Measured, RenderError> {
-    let width = data.views[0].width as usize;
-    let (view, rays) = second(device, data, &settings.stereo)?;
-    let (to_traced, flip) = distance(&view, traced, width);
-    let (to_truth, _) = distance(&view, truth, width);
-    let bytes = std::mem::size_of_val(&data.rows[..])
-        + std::mem::size_of_val(&data.triangles[..])
-        + std::mem::size_of_val(&data.records[..])
-        + std::mem::size_of_val(&data.texels[..]);
+    let (shown, rays) = second(device, data, &settings.stereo)?;
+    let (to_traced, flip) = distance(&shown, traced);
+    let (to_truth, _) = distance(&shown, truth);
+    let bytes = size_of_val(&data.rows[..])
+        + size_of_val(&data.triangles[..])
+        + size_of_val(&data.records[..])
+        + size_of_val(&data.texels[..]);
     let point = Point {
         scene: study.name.clone(),
         width: data.views[0].width,
@@ -200,16 +205,16 @@ fn quality(
         to_traced,
         to_truth,
     };
-    Ok(Measured { point, flip, width })
+    Ok(Measured { point, flip })
 }
 
-fn distance(view: &ViewImages, truth: &ViewImages, width: usize) -> (Distance, Vec<f64>) {
-    let flip = flip(&srgb8(&view.colour), &srgb8(&truth.colour), width);
+fn distance(shown: &Picture, truth: &Picture) -> (Distance, Vec<f64>) {
+    let flip = shown.perceived.flip(&truth.perceived);
     let pixels = flip.len().max(1) as f64;
     let visible = flip.iter().filter(|&&value| value > VISIBLE).count();
     let distance = Distance {
-        view: ViewError::new(view, truth),
-        rel_mse: rel_mse(&view.colour, &truth.colour),
+        view: ViewError::new(&shown.view, &truth.view),
+        rel_mse: rel_mse(&shown.view.colour, &truth.view.colour),
         flip: flip.iter().sum::<f64>() / pixels,
         flip_visible_percent: 100.0 * visible as f64 / pixels,
     };

@@ -2,7 +2,7 @@
 
 use super::Point;
 use super::findings::frontier;
-use crate::bench::stereo::plot::{escaped, number};
+use crate::html::{escaped, number};
 use std::fmt::Write;
 
 const SIZE: [f64; 2] = [560.0, 360.0];

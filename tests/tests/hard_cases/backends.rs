@@ -5,6 +5,7 @@ use parallax::build::{Bvh, Quality, build};
 use parallax_kernels::rays::{OccludedRays, TraceRays};
 use parallax_shared::layout::{Ellipsoid, Hit, NONE, Ray, Sphere, Triangle};
 use parallax_tests::gpu::{Driver, open};
+use parallax_tests::reference::Reference;
 use parallax_tests::stage::{Stage, Stages};
 use std::io::Write;
 
@@ -46,6 +47,18 @@ pub fn hits(bvh: &Bvh, rays: &[Ray]) -> Vec<Hit> {
         assert_eq!(occluded, hidden, "occlusion on CPU and GPU");
     }
     hits
+}
+
+/// Compares with brute force, whose edge signs are exact; +0 and −0 are one `t`. Returns the hits.
+pub fn assert_brute_force(triangles: &[Triangle], rays: &[Ray]) -> Vec<Hit> {
+    let bvh = structure(triangles, &[], &[]);
+    let found = hits(&bvh, rays);
+    for (ray, hit) in rays.iter().zip(&found) {
+        let expected = Reference::new(*ray, bvh.extent).brute_force(triangles).0;
+        let bits = |hit: &Hit| ((hit.t + 0.0).to_bits(), hit.prim_id);
+        assert_eq!(bits(hit), bits(&expected), "{ray:?}: {hit:?}, not {expected:?}");
+    }
+    found
 }
 
 /// What the passes make of a stage: the same bits on both backends.

@@ -1,11 +1,11 @@
 //! Directions without a component, flat boxes, slab planes, edges, and what is no ray.
 
-use super::backends::{hits, structure, tried};
+use super::backends::{assert_brute_force, hits, structure, tried};
 use bytemuck::Zeroable;
-use parallax_shared::layout::{Hit, NONE, Ray, Triangle};
+use parallax_shared::layout::{NONE, Ray, Row, Triangle};
 use parallax_shared::traversal::closest_hit;
-use parallax_tests::meshes::{Random, cube, icosphere};
-use parallax_tests::reference::Reference;
+use parallax_tests::meshes::{Random, cube, icosphere, towards};
+use parallax_tests::stage::{ellipsoid, sphere};
 use std::time::{Duration, Instant};
 
 /// Tiles in three planes of a lattice, one for each axis: every leaf's box is flat, and lattice points are on planes of slabs.
@@ -31,10 +31,6 @@ fn tiles() -> Vec<Triangle> {
 
 const COMPONENTS: [f32; 11] =
     [0.0, -0.0, 1e-45, -1e-45, 1e-40, -1e-40, f32::MIN_POSITIVE, -1e-30, 1e-12, 1.0, -1.0];
-
-fn bits(hit: &Hit) -> (u32, u32) {
-    ((hit.t + 0.0).to_bits(), hit.prim_id)
-}
 
 /// Every combination of components, from points of the lattice, which lie on planes and edges of boxes, and from beside them.
 ///
@@ -64,12 +60,7 @@ fn directions_without_a_component_meet_what_they_should() {
             rays.push(Ray { origin, t_min: 0.0, dir, t_max: f32::INFINITY });
         }
     }
-    let bvh = structure(&tiles, &[], &[]);
-    let found = hits(&bvh, &rays);
-    for (ray, hit) in rays.iter().zip(&found) {
-        let expected = Reference::new(*ray, bvh.extent).brute_force(&tiles).0;
-        assert_eq!(bits(hit), bits(&expected), "{ray:?}: {hit:?}");
-    }
+    let found = assert_brute_force(&tiles, &rays);
     assert!(found.iter().filter(|hit| hit.prim_id != NONE).count() > rays.len() / 10);
     tried("boxes/zero and denormal directions, slab planes, flat boxes", rays.len());
 }
@@ -101,11 +92,7 @@ fn rays_along_edges_meet_what_they_should() {
                 }
             }
         }
-        let bvh = structure(&mesh.triangles, &[], &[]);
-        for (ray, hit) in rays.iter().zip(hits(&bvh, &rays)) {
-            let expected = Reference::new(*ray, bvh.extent).brute_force(&mesh.triangles).0;
-            assert_eq!(bits(&hit), bits(&expected), "{ray:?}: {hit:?}");
-        }
+        assert_brute_force(&mesh.triangles, &rays);
         cases += rays.len();
     }
     tried("boxes/along edges", cases);
@@ -135,7 +122,7 @@ fn broken_rays() -> Vec<Ray> {
 }
 
 /// The shortest time in which these rays were walked.
-fn least_time(rows: &[parallax_shared::layout::Row], extent: f32, rays: &[Ray]) -> Duration {
+fn least_time(rows: &[Row], extent: f32, rays: &[Ray]) -> Duration {
     let once = || {
         let start = Instant::now();
         for _ in 0..20 {
@@ -154,8 +141,8 @@ fn least_time(rows: &[parallax_shared::layout::Row], extent: f32, rays: &[Ray]) 
 #[test]
 fn what_is_no_ray_misses_in_the_time_of_a_ray() {
     let mesh = icosphere(5, 1.0, [0.0; 3]);
-    let ball = parallax_tests::stage::sphere([0.0; 3], 1.0, 0);
-    let egg = parallax_tests::stage::ellipsoid([0.0; 3], [1.0, 0.9, 0.8], 0.3, 0);
+    let ball = sphere([0.0; 3], 1.0, 0);
+    let egg = ellipsoid([0.0; 3], [1.0, 0.9, 0.8], 0.3, 0);
     let broken = broken_rays();
     for bvh in
         [structure(&mesh.triangles, &[], &[]), structure(&[], &[ball], &[]), structure(&[], &[], &[egg])]
@@ -169,7 +156,7 @@ fn what_is_no_ray_misses_in_the_time_of_a_ray() {
     let ordinary: Vec<_> = (0..broken.len())
         .map(|_| {
             let target = [(); 3].map(|()| random.unit() - 0.5);
-            parallax_tests::meshes::towards([0.1, 0.2, 3.0], target)
+            towards([0.1, 0.2, 3.0], target)
         })
         .collect();
     let [bad, good] = [&broken, &ordinary].map(|rays| least_time(&bvh.rows, bvh.extent, rays));

@@ -4,11 +4,8 @@ use super::backends::{hits, structure, tried};
 use glam::{DMat3, DVec3, Vec3};
 use parallax_shared::layout::{Ellipsoid, NONE, Ray};
 use parallax_tests::meshes::Random;
+use parallax_tests::oracle::wide;
 use parallax_tests::stage;
-
-fn wide(v: [f32; 3]) -> DVec3 {
-    DVec3::from_array(v.map(f64::from))
-}
 
 fn direction(random: &mut Random) -> DVec3 {
     loop {

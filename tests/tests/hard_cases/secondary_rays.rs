@@ -43,29 +43,24 @@ fn rooms_have_no_acne_and_no_leak() {
         ([1e6, -1e6, 5e5], 1024.0),
         ([-5e5; 3], 1e6),
     ] {
-        let stages = stages(&room(low, size));
-        for (pixel, seen) in stages.seen.iter().enumerate() {
-            let faced = stages.counts[1][pixel].shadow;
-            assert_eq!(
-                seen & 0xaaaa_aaaa,
-                0,
-                "size {size} at {low:?}: a leak at {:?}",
-                stages.surfaces[pixel]
-            );
+        let all = stages(&room(low, size));
+        for (pixel, seen) in all.seen.iter().enumerate() {
+            let faced = all.counts[1][pixel].shadow;
+            assert_eq!(seen & 0xaaaa_aaaa, 0, "size {size} at {low:?}: a leak at {:?}", all.surfaces[pixel]);
             assert!(seen.count_ones() <= faced);
             rays += faced as usize;
         }
         // Without the lights outside, what is faced is seen.
         let mut within = room(low, size);
         within.lights = within.lights.into_iter().step_by(2).collect();
-        let stages = super::backends::stages(&within);
-        for (pixel, seen) in stages.seen.iter().enumerate() {
-            let faced = stages.counts[1][pixel].shadow;
+        let inner = stages(&within);
+        for (pixel, seen) in inner.seen.iter().enumerate() {
+            let faced = inner.counts[1][pixel].shadow;
             assert_eq!(
                 seen.count_ones(),
                 faced,
                 "size {size} at {low:?}: acne at {:?}",
-                stages.surfaces[pixel]
+                inner.surfaces[pixel]
             );
         }
     }

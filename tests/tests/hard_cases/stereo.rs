@@ -10,6 +10,7 @@ use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::{NONE, View};
 use parallax_shared::stereo::reprojection::shift_px;
 use parallax_tests::gpu::{Driver, open};
+use parallax_tests::oracle::{direction, wide};
 use parallax_tests::stage::{quad, white};
 use parallax_tests::stereo::{REPROJECTING, inferred, naive, pair, pair_on, verified};
 
@@ -115,7 +116,6 @@ fn pairs_hide_nothing_that_is_nearer() {
 
 /// Column of a point in a view, in f64.
 fn column(view: &View, point: DVec3) -> f64 {
-    let wide = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
     let from_eye = point - wide(view.eye);
     let t = from_eye.dot(wide(view.forward)) / f64::from(view.distance);
     let step = wide(view.step_x);
@@ -133,8 +133,7 @@ fn reprojected_positions_are_within_half_a_pixel() {
         let [left, right] = &data.views;
         for (i, hit) in source.hits.iter().enumerate().filter(|(_, hit)| hit.prim_id != NONE) {
             let (x, y) = (i as u32 % left.width, i as u32 / left.width);
-            let wide = |v: [f32; 3]| DVec3::from_array(v.map(f64::from));
-            let dir = wide(left.corner) + wide(left.step_x) * f64::from(x) + wide(left.step_y) * f64::from(y);
+            let dir = direction(left, f64::from(x), f64::from(y));
             let expected = column(right, wide(left.eye) + dir * f64::from(hit.t));
             let got = f64::from(x as i32 + shift_px(disparity_px(left.interaxial_px, hit.t)));
             // What 24 digits of the views' vectors leave of a position.

@@ -1,9 +1,10 @@
 //! The measurements as one HTML file: plots, tables, and what the papers print beside them.
 
 use super::paper::{COST, MSE};
-use super::plot::{Plot, Point, Series, escaped, half_spread, number};
+use super::plot::{Plot, Point, Series};
 use super::{Measured, Part, summary};
 use crate::bench::BenchLine;
+use crate::html::{STYLE, escaped, half_spread, number};
 use crate::render::Method;
 use std::fmt::Write;
 
@@ -20,7 +21,9 @@ pub fn page(machine: &str, measured: &[Measured]) -> String {
     }
     let of = |part| measured.iter().filter(|m| m.part == part).collect::<Vec<_>>();
     let sections: String = parts.into_iter().map(|part| section(part, &of(part))).collect();
-    PAGE.replace("{{machine}}", &escaped(machine)).replace("{{sections}}", &sections)
+    PAGE.replace("{{style}}", STYLE)
+        .replace("{{machine}}", &escaped(machine))
+        .replace("{{sections}}", &sections)
 }
 
 fn section(part: Part, measured: &[&Measured]) -> String {

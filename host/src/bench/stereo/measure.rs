@@ -6,6 +6,7 @@
 use super::paper::{COST, DIFFERING, DISTANCE, M, MSE, SAVED};
 use super::{RAYS_SAVED, WRONG_DEPTH};
 use crate::backend::{Backend, Cpu};
+use crate::bench::quartiles::quartiles;
 use crate::bench::{BenchError, BenchLine};
 use crate::metrics;
 use crate::render::band::{Band, EYES, Pair};
@@ -99,7 +100,7 @@ pub fn stereo(
         if case.repetitions > 0 {
             line(COST, "%", percent(&of_method.cost));
             if options.method == Method::Naive {
-                line("mono", "ms", quartiles(&of_method.mono, 1e3));
+                line("mono", "ms", median_and_spread(&of_method.mono, 1e3));
             } else {
                 line(SAVED, "%", percent(&saved));
             }
@@ -223,15 +224,13 @@ fn counts(data: &SceneData, plan: &Plan, pair: &Pair) -> Vec<Quality> {
 
 /// Median and distance of the quartiles, in per cent.
 fn percent(shares: &[f64]) -> (f64, f64) {
-    quartiles(shares, 100.0)
+    median_and_spread(shares, 100.0)
 }
 
 /// Median and distance of the quartiles, times `unit`.
-fn quartiles(values: &[f64], unit: f64) -> (f64, f64) {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let at = |quarter: usize| sorted.get((sorted.len().max(1) - 1) * quarter / 4).copied().unwrap_or(0.0);
-    (unit * at(2), unit * (at(3) - at(1)))
+fn median_and_spread(values: &[f64], unit: f64) -> (f64, f64) {
+    let [low, median, high] = quartiles(values.iter().copied());
+    (unit * median, unit * (high - low))
 }
 
 #[cfg(test)]
@@ -272,7 +271,7 @@ mod tests {
     fn medians_and_quartiles() {
         assert_eq!(percent(&[0.25, 0.5, 0.75, 0.0, 1.0]), (50.0, 50.0));
         assert_eq!(percent(&[]), (0.0, 0.0));
-        assert_eq!(quartiles(&[0.002], 1e3), (2.0, 0.0));
+        assert_eq!(median_and_spread(&[0.002], 1e3), (2.0, 0.0));
     }
 
     #[test]

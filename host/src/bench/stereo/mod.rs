@@ -5,7 +5,7 @@ mod html;
 mod measure;
 mod paper;
 mod parts;
-pub(crate) mod plot;
+mod plot;
 mod setting;
 mod summary;
 

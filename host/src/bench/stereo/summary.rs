@@ -1,8 +1,8 @@
 //! What matters most of a part's measurements: a row for each method, and a column for each headline.
 
-use super::plot::{escaped, half_spread, number};
 use super::{HEADLINES, Measured};
 use crate::bench::BenchLine;
+use crate::html::{escaped, half_spread, number};
 use std::fmt::Write;
 
 /// The table; cells have what a paper says below our figure.
