@@ -4,7 +4,7 @@
 
 use crate::stage::Stage;
 use glam::{DMat3, DVec3};
-use parallax_shared::layout::{Material, NONE, Texture, View};
+use parallax_shared::layout::{Material, NONE, Texture, Triangle, View};
 
 /// Rays of no more weight than this are not followed (`shading::bounce`).
 const LEAST_WEIGHT: f64 = 1.0 / 1024.0;
@@ -42,7 +42,7 @@ pub fn direction(view: &View, x: f64, y: f64) -> DVec3 {
 }
 
 /// Both roots of |`o` + t·`d`| = 1, the smaller one first.
-fn unit_sphere(o: DVec3, d: DVec3) -> Option<[f64; 2]> {
+pub fn unit_sphere(o: DVec3, d: DVec3) -> Option<[f64; 2]> {
     let (a, b) = (d.dot(d), o.dot(d));
     let foot = o - d * (b / a);
     let gap = 1.0 - foot.dot(foot);
@@ -82,7 +82,7 @@ impl Stage {
             }
         };
         for (number, triangle) in (0u32..).zip(&self.triangles) {
-            self.meet_triangle(number, triangle, origin, dir).into_iter().for_each(&mut keep);
+            meet_triangle(number, triangle, origin, dir).into_iter().for_each(&mut keep);
         }
         for (number, (centre, to_unit, material)) in (self.triangles.len() as u32..).zip(self.quadrics()) {
             let (o, d) = (to_unit * (origin - centre), to_unit * dir);
@@ -103,36 +103,6 @@ impl Stage {
             }
         }
         best
-    }
-
-    fn meet_triangle(
-        &self,
-        number: u32,
-        triangle: &parallax_shared::layout::Triangle,
-        origin: DVec3,
-        dir: DVec3,
-    ) -> Option<Found> {
-        let [a, b, c] = triangle.vertices.map(wide);
-        let (ab, ac) = (b - a, c - a);
-        let across = ab.cross(ac);
-        let det = -dir.dot(across);
-        let from_a = origin - a;
-        let t = from_a.dot(across) / det;
-        let moment = from_a.cross(dir);
-        let (v, w) = (ac.dot(moment) / det, -ab.dot(moment) / det);
-        if det == 0.0 || v < 0.0 || w < 0.0 || v + w > 1.0 {
-            return None;
-        }
-        let back = det < 0.0;
-        let normal = if back { -across } else { across }.normalize();
-        let mix = |at: [DVec3; 3]| at[0] * (1.0 - v - w) + at[1] * v + at[2] * w;
-        let smooth = if triangle.smooth == 1 { mix(triangle.normals.map(wide)).normalize() } else { normal };
-        let uv = [0, 1].map(|i| {
-            let at = triangle.uvs.map(|uv| f64::from(uv[i]));
-            at[0] * (1.0 - v - w) + at[1] * v + at[2] * w
-        });
-        let shading_normal = if smooth.dot(normal) < 0.0 { -smooth } else { smooth };
-        Some(Found { t, prim_id: number, normal, shading_normal, uv, back, material: triangle.material })
     }
 
     /// Linear colour of what a ray sees; `dir` of any length.
@@ -241,6 +211,31 @@ impl Stage {
         }
         sum
     }
+}
+
+/// Where a ray meets a triangle, if it does, before or behind its origin.
+pub fn meet_triangle(number: u32, triangle: &Triangle, origin: DVec3, dir: DVec3) -> Option<Found> {
+    let [a, b, c] = triangle.vertices.map(wide);
+    let (ab, ac) = (b - a, c - a);
+    let across = ab.cross(ac);
+    let det = -dir.dot(across);
+    let from_a = origin - a;
+    let t = from_a.dot(across) / det;
+    let moment = from_a.cross(dir);
+    let (v, w) = (ac.dot(moment) / det, -ab.dot(moment) / det);
+    if det == 0.0 || v < 0.0 || w < 0.0 || v + w > 1.0 {
+        return None;
+    }
+    let back = det < 0.0;
+    let normal = if back { -across } else { across }.normalize();
+    let mix = |at: [DVec3; 3]| at[0] * (1.0 - v - w) + at[1] * v + at[2] * w;
+    let smooth = if triangle.smooth == 1 { mix(triangle.normals.map(wide)).normalize() } else { normal };
+    let uv = [0, 1].map(|i| {
+        let at = triangle.uvs.map(|uv| f64::from(uv[i]));
+        at[0] * (1.0 - v - w) + at[1] * v + at[2] * w
+    });
+    let shading_normal = if smooth.dot(normal) < 0.0 { -smooth } else { smooth };
+    Some(Found { t, prim_id: number, normal, shading_normal, uv, back, material: triangle.material })
 }
 
 /// Fresnel, from the amplitudes by sines and cosines.
