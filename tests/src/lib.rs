@@ -1,5 +1,6 @@
 //! What the tests of Parallax share.
 
+pub mod far_things;
 pub mod gpu;
 pub mod kernels;
 pub mod machines;

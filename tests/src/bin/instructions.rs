@@ -1,14 +1,24 @@
-//! Traces a fixed set of rays, or lets the pixels of a fixed view land in another one, for one instruction set, in one function that an
-//! instruction counter can be pointed at: `instructions SSE2|AVX2 nearest|any|splat`. Says how many rays or pixels, or that the machine
-//! lacks the instruction set.
+//! Traces a fixed set of rays, lets the pixels of a fixed view land in another one, or makes the pixels of a picture that see neither
+//! its 17th light nor its mirror, for one instruction set, in one function that an instruction counter can be pointed at:
+//! `instructions SSE2|AVX2 nearest|any|splat|plain|light|mirror`. Says how many rays or pixels, or that the machine lacks the
+//! instruction set.
 
 use parallax::backend::cpu::instruction_set::{InstructionSet, Task};
 use parallax::build::{Bvh, Quality, build};
-use parallax_shared::layout::{Hit, Ray, Reprojection};
+use parallax_shared::camera::primary_ray;
+use parallax_shared::effects::Effects;
+use parallax_shared::layout::{Hit, Ray, Reprojection, View};
+use parallax_shared::scene::SceneView;
+use parallax_shared::shading::bounce::light_from;
+use parallax_shared::shading::shadow;
+use parallax_shared::shading::surface::reconstruct;
 use parallax_shared::stereo::run::{RUN, Run};
 use parallax_shared::stereo::splat::splat;
 use parallax_shared::traversal::{closest_hit, occluded};
+use parallax_tests::far_things;
 use parallax_tests::meshes::{icosphere, rays_from_inside, rays_from_outside};
+use parallax_tests::small_scenes::render;
+use parallax_tests::stage::Stage;
 use parallax_tests::tables::reprojection;
 use std::hint::black_box;
 use std::sync::atomic::AtomicU32;
@@ -54,6 +64,29 @@ impl Task for Splat<'_> {
     }
 }
 
+/// What all passes do for some pixels of a picture.
+struct Pixels<'a>(&'a View, SceneView<'a>, &'a [u32]);
+
+impl Task for Pixels<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let Self(view, scene, pixels) = self;
+        for &pixel in pixels {
+            let ray = primary_ray(view, pixel % view.width, pixel / view.width);
+            let hit = closest_hit(scene.rows, &ray, scene.info.extent);
+            let (surface, dir) = (reconstruct(&scene, &ray, hit, view.interaxial_px), ray.dir.into());
+            let mut seen = 0;
+            black_box(shadow::trace(&scene, &surface, |_, bits| seen = bits));
+            black_box(shadow::shade(&scene, &surface, dir, |_| seen));
+            if scene.effects.has(Effects::REFLECTION) {
+                black_box(light_from(&scene, &surface, dir));
+            }
+        }
+    }
+}
+
 /// What is counted.
 #[inline(never)]
 fn counted_task<T: Task>(set: InstructionSet, task: T) -> T::Output {
@@ -89,16 +122,35 @@ fn reproject(set: InstructionSet) -> usize {
     hits.len()
 }
 
+/// Makes the pixels of the floor, which face no light from below and see no mirror; returns how many.
+fn make_floor(set: InstructionSet, stage: &Stage) -> usize {
+    let hits = render(&far_things::with_mirror()).hits;
+    let pixels: Vec<u32> =
+        (0u32..).zip(&hits).filter(|(_, hit)| hit.prim_id < 2).map(|(pixel, _)| pixel).collect();
+    let bvh = build(&stage.triangles, &stage.spheres, &[], Quality::Full).expect("a small scene");
+    let (info, records) = (stage.info(bvh.extent), stage.records());
+    let (rows, triangles, effects) = (&bvh.rows[..], &stage.triangles[..], stage.effects());
+    let scene = SceneView { info: &info, rows, triangles, records: &records, texels: &[], effects };
+    counted_task(set, Pixels(&stage.view, scene, &pixels));
+    pixels.len()
+}
+
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [set, query] = arguments.as_slice() else {
-        eprintln!("usage: instructions SSE2|AVX2 nearest|any|splat");
+        eprintln!("usage: instructions SSE2|AVX2 nearest|any|splat|plain|light|mirror");
         std::process::exit(2);
     };
     let Some(set) = InstructionSet::available().into_iter().find(|available| available.name() == set) else {
         println!("unavailable");
         return;
     };
-    let count = if query == "splat" { reproject(set) } else { trace(set, query == "any") };
+    let count = match query.as_str() {
+        "splat" => reproject(set),
+        "plain" => make_floor(set, &far_things::plain()),
+        "light" => make_floor(set, &far_things::with_light()),
+        "mirror" => make_floor(set, &far_things::with_mirror()),
+        _ => trace(set, query == "any"),
+    };
     println!("count {count}");
 }
