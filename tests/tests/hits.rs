@@ -145,6 +145,28 @@ fn rays_from_outside_hit_what_brute_force_hits() {
     }
 }
 
+/// Triangles 10⁵ times as long as high.
+fn slivers() -> Mesh {
+    let mut mesh = icosphere(1, 1.0, [0.0; 3]);
+    for triangle in &mut mesh.triangles {
+        let [a, b, c] = &mut triangle.vertices;
+        *c = [0, 1, 2].map(|k| a[k] + (b[k] - a[k]) * 0.4 + c[k] * 1e-5);
+    }
+    Mesh { name: "slivers".into(), ..mesh }
+}
+
+/// Where `t` is moved to the near side of a triangle's own box, the box of another pack with a copy of it is entered at that very `t`:
+/// it must still be opened, for its copy may be the first.
+#[test]
+fn slivers_on_slivers_belong_to_the_first() {
+    let mesh = slivers().repeated(20).scaled();
+    let rays = rays_from_outside(&mesh, 30_000, 3);
+    let found = faults::<Exact>(&mesh, &rays);
+    let Faults { missed, owners_not_one, .. } = found;
+    assert_eq!(found, Faults { missed, owners_not_one, ..Faults::default() });
+    assert!(missed < rays.len() - 1000, "{missed} of the rays miss");
+}
+
 /// Boxes as they are.
 struct NoPadding;
 

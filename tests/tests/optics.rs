@@ -20,6 +20,17 @@ fn fresnels_reflectance_has_its_limits() {
     }
 }
 
+/// A ray that grazes a surface may have a cosine that rounding took below zero, for which the formula gives a little more than 1.
+#[test]
+fn a_cosine_that_rounding_made_negative_has_a_share() {
+    for eta in [1.1f32, 1.5, 2.4] {
+        for ulps in 1..=64 {
+            let share = fresnel::reflectance(ulps as f32 * -f32::EPSILON, eta);
+            assert!((0.0..=1.0).contains(&share), "{eta}, {ulps} ULP of 1 below zero: {share}");
+        }
+    }
+}
+
 #[test]
 fn light_is_reflected_alike_from_both_sides_and_totally_beyond_the_critical_angle() {
     for eta in [1.1f32, 1.5, 2.4] {

@@ -4,10 +4,12 @@
 use bytemuck::Zeroable;
 use parallax::build::{Quality, build};
 use parallax_shared::layout::{Ellipsoid, Hit, NONE, Ray, Sphere, Triangle};
+use parallax_shared::traversal::ray::Prepared;
 use parallax_shared::traversal::rules::Exact;
 use parallax_shared::traversal::walk::walk;
 use parallax_shared::traversal::{closest_hit, occluded};
 use parallax_tests::reference::Reference;
+use parallax_tests::stage;
 use proptest::array::uniform3;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -128,5 +130,32 @@ fn a_range_below_zero_starts_at_zero() {
         let ray = Ray { origin: [0.1, 0.2, 0.0], t_min, dir: [0.0, 0.0, 1.0], t_max: f32::INFINITY };
         let hit = closest_hit(&bvh.rows, &ray, bvh.extent);
         assert_eq!(hit.t, 0.5, "{t_min}: {hit:?}");
+    }
+}
+
+/// No constant of a proper ray is infinite, whatever the components of its direction: 0 · ∞ is NaN, and a device need not compare NaN
+/// as IEEE 754 says.
+#[test]
+fn no_direction_has_an_infinite_inverse() {
+    for small in [0.0, -0.0, 1e-45, -1e-40, f32::MIN_POSITIVE, -1e-30, 1e-19] {
+        let ray = Ray { origin: [0.5; 3], t_min: 0.0, dir: [small, 1.0, -small], t_max: f32::INFINITY };
+        let inverse = Prepared::new::<Exact>(&ray, 1.0).inv_dir;
+        assert!(inverse.iter().all(|inverse| inverse.abs() <= 1e18), "{ray:?}: {inverse:?}");
+    }
+}
+
+/// A sphere or an ellipsoid at `t_max` is no hit, and one ULP before it is: a light on a ball is not hidden by it.
+#[test]
+fn the_end_of_a_range_hits_nothing_round() {
+    let ball = stage::sphere([0.0; 3], 1.0, 0);
+    let egg = stage::ellipsoid([0.0; 3], [0.5, 0.25, 1.0], 0.0, 0);
+    for (spheres, ellipsoids) in [(vec![ball], vec![]), (vec![], vec![egg])] {
+        let bvh = build(&[], &spheres, &ellipsoids, Quality::Full).unwrap();
+        for (t_max, hits) in [(4.0, false), (4.0f32.next_up(), true)] {
+            let ray = Ray { origin: [0.0, 0.0, 5.0], t_min: 0.0, dir: [0.0, 0.0, -1.0], t_max };
+            let found = closest_hit(&bvh.rows, &ray, bvh.extent);
+            assert_eq!(found.prim_id != NONE, hits, "{ray:?}: {found:?}");
+            assert_eq!(occluded(&bvh.rows, &ray, bvh.extent), hits, "{ray:?}");
+        }
     }
 }
