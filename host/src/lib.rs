@@ -12,3 +12,4 @@ pub mod render;
 pub mod rig;
 pub mod scene;
 pub mod study;
+pub mod verify;

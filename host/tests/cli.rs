@@ -52,12 +52,18 @@ fn assert_refused(run: &Run, code: i32, expected: &str) {
 #[test]
 fn help_is_there_and_has_examples() {
     let folder = folder();
-    for arguments in [&["--help"][..], &["render", "--help"], &["diff", "--help"], &["bench", "--help"]] {
+    for arguments in [
+        &["--help"][..],
+        &["render", "--help"],
+        &["diff", "--help"],
+        &["bench", "--help"],
+        &["verify", "--help"],
+    ] {
         let run = parallax(folder.path(), arguments);
         assert_eq!(run.code, 0);
         assert!(run.stdout.contains("Usage: parallax"), "{}", run.stdout);
     }
-    for arguments in [&["--help"][..], &["render", "--help"], &["diff", "--help"]] {
+    for arguments in [&["--help"][..], &["render", "--help"], &["diff", "--help"], &["verify", "--help"]] {
         assert!(parallax(folder.path(), arguments).stdout.contains("Examples:"));
     }
     assert!(parallax(folder.path(), &["--version"]).stdout.starts_with("parallax "));
@@ -90,6 +96,29 @@ fn bad_usage_is_code_2() {
         assert_refused(&parallax(folder.path(), arguments), 2, expected);
     }
     assert_eq!(names(folder.path()), ["model.obj"]);
+}
+
+#[test]
+fn verifying_needs_a_device_or_is_about_the_processor() {
+    let folder = folder();
+    assert_refused(
+        &parallax(folder.path(), &["verify", "--adapter", "no such"]),
+        1,
+        "`--cpu` verifies the processor",
+    );
+    assert_refused(
+        &parallax(folder.path(), &["verify", "--cpu", "--adapter", "any"]),
+        2,
+        "cannot be used with",
+    );
+    let run = parallax(folder.path(), &["verify", "--cpu", "--json", "verification.json"]);
+    assert_eq!(run.code, 0, "{}{}", run.stdout, run.stderr);
+    assert!(run.stdout.contains("NO DEVICE"), "{}", run.stdout);
+    let report = json(&std::fs::read_to_string(folder.path().join("verification.json")).unwrap());
+    assert!(report["device"].is_null() && report["fast"].is_null());
+    assert_eq!(report["strict"]["is_safe"], true);
+    let cases = report["cases"].as_array().unwrap();
+    assert!(cases.iter().map(|case| case["cases"].as_u64().unwrap()).sum::<u64>() > 1_000_000);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 #![cfg_attr(not(test), no_std)]
 #![forbid(unsafe_op_in_unsafe_fn)]
 
+pub mod arithmetic;
 pub mod bounce;
 pub mod primary;
 pub mod prove;

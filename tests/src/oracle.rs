@@ -2,9 +2,11 @@
 //! formulas. It shares nothing with what it checks but the layout of the scene's data and the model that is
 //! documented there.
 
+use crate::reference::wide;
 use crate::stage::Stage;
 use glam::{DMat3, DVec3};
-use parallax_shared::layout::{Material, NONE, Texture, Triangle, View};
+use parallax_shared::layout::{Material, NONE, Texture, Triangle};
+use std::ops::Deref;
 
 /// Rays of no more weight than this are not followed (`shading::bounce`).
 const LEAST_WEIGHT: f64 = 1.0 / 1024.0;
@@ -31,16 +33,6 @@ pub struct Found {
     pub material: u32,
 }
 
-/// A vector in f64.
-pub fn wide(v: [f32; 3]) -> DVec3 {
-    DVec3::from(v.map(f64::from))
-}
-
-/// Direction of the ray through pixel (`x`, `y`), which may be fractional.
-pub fn direction(view: &View, x: f64, y: f64) -> DVec3 {
-    wide(view.corner) + wide(view.step_x) * x + wide(view.step_y) * y
-}
-
 /// Both roots of |`o` + t·`d`| = 1, the smaller one first.
 pub fn unit_sphere(o: DVec3, d: DVec3) -> Option<[f64; 2]> {
     let (a, b) = (d.dot(d), o.dot(d));
@@ -54,7 +46,18 @@ fn sphere_uv(n: DVec3) -> [f64; 2] {
     [n.x.atan2(n.z) / std::f64::consts::TAU + 0.5, 1.0 - n.y.clamp(-1.0, 1.0).acos() / std::f64::consts::PI]
 }
 
-impl Stage {
+/// A stage, traced in f64.
+pub struct Oracle<'a>(pub &'a Stage);
+
+impl Deref for Oracle<'_> {
+    type Target = Stage;
+
+    fn deref(&self) -> &Stage {
+        self.0
+    }
+}
+
+impl Oracle<'_> {
     /// Every primitive as (number, candidates).
     fn quadrics(&self) -> impl Iterator<Item = (DVec3, DMat3, u32)> + '_ {
         let spheres = self.spheres.iter().map(|s| {

@@ -4,27 +4,12 @@ use parallax::backend::{Backend, Cpu};
 use parallax::render::band::{Band, Pair, Values};
 use parallax::render::stereo::Plan;
 use parallax::render::stereo::second::Inferred;
-use parallax::render::{First, Method, Renderer, SceneData, StereoOptions, Verify};
+use parallax::render::{First, Renderer, SceneData, StereoOptions};
+pub use parallax::verify::input::pairs::{REPROJECTING, verified};
 use std::ops::Deref;
-
-/// The methods that make the second view from the first, that of the lower bound aside.
-pub const REPROJECTING: [Method; 7] = [
-    Method::Scanline,
-    Method::ScanlineRtl,
-    Method::EsIsler,
-    Method::Gather1,
-    Method::Gather2,
-    Method::Buffer,
-    Method::Atomic,
-];
 
 /// Both orders of the eyes.
 pub const ORDERS: [First; 2] = [First::Left, First::Right];
-
-/// `method` with this verification.
-pub fn verified(method: Method, verify: Verify, first: First) -> StereoOptions {
-    StereoOptions { verify: Some(verify), first, ..method.into() }
-}
 
 /// Both views on `backend`.
 ///

@@ -9,7 +9,8 @@ use parallax::rig::StereoRig;
 use parallax_shared::geom::ellipsoid::{self, ToUnit};
 use parallax_shared::geom::sphere;
 use parallax_shared::layout::{Ellipsoid, Material, NONE, Ray, Texture, View};
-use parallax_tests::oracle;
+use parallax_tests::oracle::Oracle;
+use parallax_tests::reference::direction;
 use parallax_tests::stage::{self, Stage, light, quad, white};
 
 const SIDE: u32 = 64;
@@ -143,8 +144,8 @@ fn compare(name: &str, stage: &Stage, least_stable: f64) {
     let (mut stable, mut worst) = ([0, 0], [0f64; 4]);
     for pixel in 0..(SIDE * SIDE) as usize {
         let (x, y) = ((pixel as u32 % SIDE) as f64, (pixel as u32 / SIDE) as f64);
-        let dirs = AROUND.map(|[dx, dy]| oracle::direction(&stage.view, x + dx, y + dy));
-        let found = dirs.map(|dir| stage.nearest(eye, dir, 0.0));
+        let dirs = AROUND.map(|[dx, dy]| direction(&stage.view, x + dx, y + dy));
+        let found = dirs.map(|dir| Oracle(stage).nearest(eye, dir, 0.0));
         let id = |i: usize| found[i].map_or(NONE, |f| f.prim_id);
         let (hit, surface) = (got.hits[pixel], got.surfaces[pixel]);
         if (0..5).all(|i| id(i) == id(0)) {
@@ -160,7 +161,7 @@ fn compare(name: &str, stage: &Stage, least_stable: f64) {
                 assert!((surface.disparity as f64 - disparity).abs() < 1e-4);
             }
         }
-        let colours = dirs.map(|dir| stage.radiance(eye, dir, DVec3::ONE, 0));
+        let colours = dirs.map(|dir| Oracle(stage).radiance(eye, dir, DVec3::ONE, 0));
         if colours.iter().all(|c| (*c - colours[0]).abs().max_element() < 4e-3) {
             stable[1] += 1;
             let got = Vec3::new(got.colours[pixel][0], got.colours[pixel][1], got.colours[pixel][2]);

@@ -17,6 +17,7 @@ mod progress;
 mod render;
 mod report;
 mod study;
+mod verify;
 
 use clap::Parser;
 use failure::Failure;
@@ -30,6 +31,7 @@ Examples:
   parallax render model.ply --backend gpu --interaxial 20 --aov --out pictures
   parallax diff scenes/spot.toml               are both backends the same, bit for bit?
   parallax devices                             which GPUs are there, and which would be used?
+  parallax verify                              is the strict profile safe on this machine and its driver?
 
 Exit codes: 0 success; 1 a difference or a failed render; 2 bad usage or a bad scene.";
 
@@ -57,6 +59,8 @@ enum Command {
     Bench(bench::Options),
     /// Show what accuracy costs in time: each knob's gain and price, on a page with plots.
     Study(study::Options),
+    /// Try hard cases on this machine: what its driver does, and which profile is safe here.
+    Verify(verify::Options),
 }
 
 /// Runs the command with the arguments of this process.
@@ -89,5 +93,6 @@ fn run(command: Command) -> Result<ExitCode, Failure> {
         Command::Info(options) => info::run(&options),
         Command::Bench(options) => bench::run(&options),
         Command::Study(options) => study::run(&options),
+        Command::Verify(options) => verify::run(&options),
     }
 }

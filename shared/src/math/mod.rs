@@ -123,7 +123,7 @@ fn scale(value: f32, exponent: i32) -> f32 {
     f32::from_bits(value.to_bits().wrapping_add((exponent as u32) << 23))
 }
 
-/// Mantissa in 2²³ … 2²⁴ − 1 and the exponent of its unit, of a finite non-zero magnitude given by its bits.
+/// Mantissa in 2²³ … 2²⁴ − 1 and the exponent of its unit, of a finite non-zero magnitude given by its bits; of zero the mantissa is 0.
 #[inline(always)]
 fn unpack(magnitude: u32) -> (u32, i32) {
     if magnitude >= 0x0080_0000 {

@@ -37,13 +37,14 @@ pub fn exp2(x: f32) -> f32 {
 #[inline(always)]
 pub fn log2(x: f32) -> f32 {
     let bits = x.to_bits();
-    if bits & 0x7fff_ffff == 0 {
+    let (mantissa, unit) = unpack(bits & 0x7fff_ffff);
+    // By the mantissa: LLVM makes a comparison of floats of one of all bits but the sign, and for that a driver may flush denormals.
+    if mantissa == 0 {
         return f32::NEG_INFINITY;
     }
     if bits >= 0x7f80_0000 {
         return if bits == 0x7f80_0000 { x } else { f32::NAN };
     }
-    let (mantissa, unit) = unpack(bits);
     // 1.0110101…₂ = √2: the mantissa goes to √½ … √2 around 1, where the logarithm is smallest.
     let above = (mantissa > 0x00b5_04f3) as i32;
     let m = scale(f32::from_bits((mantissa & 0x007f_ffff) | 0x3f80_0000), -above);

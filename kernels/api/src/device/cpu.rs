@@ -10,6 +10,11 @@ pub fn sqrt(a: f32) -> f32 {
     a.sqrt()
 }
 
+#[inline(always)]
+pub fn fma(a: f32, b: f32, c: f32) -> f32 {
+    a.mul_add(b, c)
+}
+
 pub fn barrier() {
     panic!("a barrier outside a device")
 }

@@ -5,6 +5,11 @@ pub fn sqrt(a: f32) -> f32 {
     a.sqrt()
 }
 
+#[inline(always)]
+pub fn fma(a: f32, b: f32, c: f32) -> f32 {
+    a.mul_add(b, c)
+}
+
 macro_rules! replaced {
     ($($name:ident($($argument:ident: $ty:ty),*) $(-> $result:ty)?, $external:ident;)*) => {$(
         #[inline(always)]

@@ -46,6 +46,13 @@ pub fn native_sqrt(a: f32) -> f32 {
     machine::sqrt(a)
 }
 
+/// `a · b + c` by this machine's own fused multiply-add: rounded once on a CPU, on a device as often as its driver likes. For probing a
+/// driver; algorithms do without (DESIGN §3).
+#[inline(always)]
+pub fn native_fma(a: f32, b: f32, c: f32) -> f32 {
+    machine::fma(a, b, c)
+}
+
 /// Keeps what follows from being copied into both sides of a condition before it: a barrier must stay one barrier. Its cost exceeds
 /// the one up to which rustc's MIR jump threading copies a block, so it must stand in the kernel's own MIR.
 #[doc(hidden)]

@@ -18,6 +18,11 @@ pub fn sqrt(a: f32) -> f32 {
 }
 
 #[inline]
+pub fn fma(a: f32, b: f32, c: f32) -> f32 {
+    spirv_std::num_traits::Float::mul_add(a, b, c)
+}
+
+#[inline]
 pub fn barrier() {
     arch::workgroup_memory_barrier_with_group_sync()
 }

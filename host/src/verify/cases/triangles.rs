@@ -1,11 +1,12 @@
 //! Slivers, zero area, coincident faces, scales and offsets, origins on the surface, ends of the range.
 
-use super::backends::{assert_brute_force, hits, structure, tried};
+use crate::verify::Outcome;
+use crate::verify::input::meshes::{Mesh, Random, cube, icosphere, rays_from_inside, towards};
+use crate::verify::input::reference::wide;
+use crate::verify::suite::{Suite, structure};
 use bytemuck::Zeroable;
 use glam::{DVec3, Vec3};
 use parallax_shared::layout::{NONE, Ray, Triangle};
-use parallax_tests::meshes::{Random, towards};
-use parallax_tests::oracle::wide;
 
 fn triangle(vertices: [Vec3; 3]) -> Triangle {
     Triangle { vertices: vertices.map(|v| v.to_array()), ..Zeroable::zeroed() }
@@ -48,11 +49,29 @@ fn line_to_segment(o: DVec3, d: DVec3, p: DVec3, q: DVec3) -> f64 {
     (from + along * s.clamp(0.0, 1.0)).length()
 }
 
+/// Rays from inside of closed meshes at their vertices, edges and faces: none slips through, and each finds the owner that brute force
+/// finds; with each triangle many times, too.
+///
+/// Guards: the shift of the ray that decides on an edge, the padding of boxes, and that of equal `t` the smaller number owns the hit
+/// (`traversal::rules`).
+pub fn closed_meshes_have_no_holes(suite: &mut Suite) -> Outcome {
+    let far_off = [1000.0, 2000.0, -500.0];
+    let meshes =
+        [icosphere(3, 100.0, far_off), cube(1.0, [0.0; 3]), icosphere(1, 1.0, [0.0; 3]).repeated(20)];
+    for (seed, mesh) in meshes.into_iter().map(Mesh::scaled).enumerate() {
+        let rays = rays_from_inside(&mesh, 20_000, seed as u64);
+        for (ray, hit) in rays.iter().zip(suite.brute_force(&mesh.triangles, &rays)?) {
+            suite.check(hit.prim_id != NONE, || format!("{}: {ray:?} slips through", mesh.name));
+        }
+        suite.tried(rays.len());
+    }
+    Ok(())
+}
+
 /// Triangles 10⁶ times as long as high, met at all angles down to nearly parallel ones.
 ///
 /// Guard: an edge function that rounds to zero is decided by the errors of its products (`geom::triangle::edge_sign`).
-#[test]
-fn slivers_are_hit_where_they_are() {
+pub fn slivers_are_hit_where_they_are(suite: &mut Suite) -> Outcome {
     let mut random = Random(1);
     let slivers: Vec<_> = (0..40)
         .map(|_| {
@@ -73,23 +92,23 @@ fn slivers_are_hit_where_they_are() {
         };
         rays.push(towards(origin.to_array(), (target + vector(&mut random) * beside).to_array()));
     }
-    let found = assert_brute_force(&slivers, &rays);
+    let found = suite.brute_force(&slivers, &rays)?;
     let hit: Vec<_> = rays.iter().zip(&found).filter(|(_, hit)| hit.prim_id != NONE).collect();
     for (ray, hit) in &hit {
         let away = distance_to(ray, &slivers[hit.prim_id as usize]);
         // A vertex is rounded once when it is moved to the origin and twice when it is sheared.
-        assert!(away < 8.0 * 6e-7, "a false hit, {away} away: {ray:?}");
+        suite.check(away < 8.0 * 6e-7, || format!("a false hit, {away} away: {ray:?}"));
     }
-    assert!(hit.len() > 3000, "{} hits", hit.len());
-    tried("triangles/slivers", rays.len());
+    suite.check(hit.len() > 3000, || format!("{} hits", hit.len()));
+    suite.tried(rays.len());
+    Ok(())
 }
 
 /// What has no area is hit by nothing: points, segments, and folded triangles.
 ///
 /// Guard: a vertex on the ray has an edge function of zero for any other one, and the shift of the ray gives both edges of a degenerate
 /// triangle opposite signs (`geom::triangle::edge_sign`).
-#[test]
-fn zero_area_is_no_hit() {
+pub fn zero_area_is_no_hit(suite: &mut Suite) -> Outcome {
     let mut random = Random(2);
     let mut cases = 0;
     for kind in 0..3 {
@@ -113,22 +132,22 @@ fn zero_area_is_no_hit() {
             })
             .filter(|ray| ray.dir != [0.0; 3])
             .collect();
-        let found = assert_brute_force(&flat, &rays);
+        let found = suite.brute_force(&flat, &rays)?;
         // The projections are exact where the ray runs along an axis.
         let is_exact = |ray: &Ray| ray.dir.iter().filter(|d| **d != 0.0).count() == 1;
         for (ray, hit) in rays.iter().zip(&found).filter(|(ray, _)| is_exact(ray)) {
-            assert_eq!(hit.prim_id, NONE, "{ray:?}");
+            suite.check(hit.prim_id == NONE, || format!("{ray:?}"));
         }
         cases += rays.len();
     }
-    tried("triangles/zero area", cases);
+    suite.tried(cases);
+    Ok(())
 }
 
 /// Faces that lie on each other or cut each other: the same owner in any order of the list.
 ///
 /// The rule that equal `t` goes to the smaller number is not needed here, where copies come in order: `hits` takes it away.
-#[test]
-fn coincident_faces_have_the_first_as_their_owner() {
+pub fn coincident_faces_have_the_first_as_their_owner(suite: &mut Suite) -> Outcome {
     let mut random = Random(3);
     let one: Vec<_> = (0..30).map(|_| triangle(std::array::from_fn(|_| vector(&mut random)))).collect();
     let mut all = Vec::new();
@@ -143,19 +162,19 @@ fn coincident_faces_have_the_first_as_their_owner() {
         }
     }
     let rays: Vec<_> = (0..30_000).map(|_| aimed(&mut random, &one, 3.0, Vec3::ZERO)).collect();
-    let found = assert_brute_force(&all, &rays);
+    let found = suite.brute_force(&all, &rays)?;
     let owners = found.iter().filter(|hit| hit.prim_id != NONE);
     let copies = owners.clone().filter(|hit| hit.prim_id as usize >= one.len()).count();
-    assert!(owners.count() > 20_000, "rays are aimed at faces");
-    assert!(copies < found.len() / 100, "{copies} hits of copies with other roundings");
-    tried("triangles/coincident faces", rays.len());
+    suite.check(owners.count() > 20_000, || "rays are not aimed at faces".into());
+    suite.check(copies < found.len() / 100, || format!("{copies} hits of copies with other roundings"));
+    suite.tried(rays.len());
+    Ok(())
 }
 
 /// Any unit and any place: scales from 10⁻⁶ to 10⁶, offsets up to 10⁶ sizes, against brute force, and `t` against f64.
 ///
 /// Guards: the padding of boxes, and that `t` stays in the triangle's own box (`traversal::rules`, `geom::triangle`).
-#[test]
-fn scales_and_offsets_change_nothing_but_rounding() {
+pub fn scales_and_offsets_change_nothing_but_rounding(suite: &mut Suite) -> Outcome {
     let mut random = Random(4);
     let mut cases = 0;
     for (scale, offset) in
@@ -169,27 +188,27 @@ fn scales_and_offsets_change_nothing_but_rounding() {
             .map(|_| aimed(&mut random, &soup, 3.0 * scale, centre))
             .filter(|ray| ray.dir != [0.0; 3])
             .collect();
-        let found = assert_brute_force(&soup, &rays);
+        let found = suite.brute_force(&soup, &rays)?;
         let step = f64::from(f32::EPSILON) * f64::from(3.0 * scale + 2.0 * offset);
         for (ray, hit) in rays.iter().zip(&found).filter(|(_, hit)| hit.prim_id != NONE) {
             let away = distance_to(ray, &soup[hit.prim_id as usize]);
-            assert!(away <= 8.0 * step, "scale {scale}, offset {offset}: {away}");
+            suite.check(away <= 8.0 * step, || format!("scale {scale}, offset {offset}: {away}"));
         }
         cases += rays.len();
     }
-    tried("triangles/scales and offsets", cases);
+    suite.tried(cases);
+    Ok(())
 }
 
 /// Rays that begin on a face, and ranges that end just before or behind it, by one ULP.
 ///
 /// Guard: `t_min <= t < t_max` decides by comparison, without any tolerance (`geom::triangle::accept`).
-#[test]
-fn a_range_is_decided_to_the_last_bit() {
+pub fn a_range_is_decided_to_the_last_bit(suite: &mut Suite) -> Outcome {
     let mut random = Random(5);
     let soup: Vec<_> = (0..50).map(|_| triangle(std::array::from_fn(|_| vector(&mut random)))).collect();
     let free: Vec<_> = (0..5000).map(|_| aimed(&mut random, &soup, 3.0, Vec3::ZERO)).collect();
-    let bvh = structure(&soup, &[], &[]);
-    let first = hits(&bvh, &free);
+    let bvh = structure(&soup, &[], &[])?;
+    let first = suite.hits(&bvh, &free)?;
     let (mut ends, mut starts, mut on_it) = (Vec::new(), Vec::new(), Vec::new());
     for (ray, hit) in free.iter().zip(&first).filter(|(_, hit)| hit.prim_id != NONE && hit.t > 0.01) {
         let next = f32::from_bits(hit.t.to_bits() + 1);
@@ -200,17 +219,18 @@ fn a_range_is_decided_to_the_last_bit() {
         on_it.push(Ray { origin: std::array::from_fn(|k| ray.origin[k] + ray.dir[k] * hit.t), ..*ray });
     }
     let rays: Vec<_> = ends.iter().map(|(ray, _)| *ray).collect();
-    for ((ray, expected), hit) in ends.iter().zip(assert_brute_force(&soup, &rays)) {
-        assert_eq!(hit.prim_id, *expected, "{ray:?}");
+    for ((ray, expected), hit) in ends.iter().zip(suite.brute_force(&soup, &rays)?) {
+        suite.check(hit.prim_id == *expected, || format!("{ray:?}"));
     }
     let rays: Vec<_> = starts.iter().map(|(ray, ..)| *ray).collect();
-    for ((ray, expected, t), hit) in starts.iter().zip(assert_brute_force(&soup, &rays)) {
+    for ((ray, expected, t), hit) in starts.iter().zip(suite.brute_force(&soup, &rays)?) {
         if *expected == NONE {
-            assert!(hit.t > *t, "{ray:?}: behind its first hit");
+            suite.check(hit.t > *t, || format!("{ray:?}: behind its first hit"));
         } else {
-            assert_eq!((hit.prim_id, hit.t), (*expected, *t), "{ray:?}");
+            suite.check((hit.prim_id, hit.t) == (*expected, *t), || format!("{ray:?}"));
         }
     }
-    assert_brute_force(&soup, &on_it);
-    tried("triangles/ends of the range", ends.len() + starts.len() + on_it.len());
+    suite.brute_force(&soup, &on_it)?;
+    suite.tried(ends.len() + starts.len() + on_it.len());
+    Ok(())
 }

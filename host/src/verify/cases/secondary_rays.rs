@@ -1,8 +1,9 @@
 //! Rays that leave a surface: no acne, no leak, in corners and far from the origin.
 
-use super::backends::{stages, tried};
-use parallax_tests::small_scenes::view;
-use parallax_tests::stage::{Stage, light, quad, white};
+use crate::verify::Outcome;
+use crate::verify::input::small_scenes::view;
+use crate::verify::input::stage::{Stage, light, quad, white};
+use crate::verify::suite::Suite;
 
 /// A closed box from `low`, of the width `size`, seen from inside, with lights within (even numbers) and without (odd ones).
 fn room(low: [f32; 3], size: f32) -> Stage {
@@ -33,8 +34,7 @@ fn room(low: [f32; 3], size: f32) -> Stage {
 /// In a convex room every light that a wall faces is seen from everywhere, corners too, and none from outside comes in.
 ///
 /// Guard: secondary rays begin off the surface by the error bound of what was computed (`surface::leave`).
-#[test]
-fn rooms_have_no_acne_and_no_leak() {
+pub fn rooms_have_no_acne_and_no_leak(suite: &mut Suite) -> Outcome {
     let mut rays = 0;
     for (low, size) in [
         ([-0.5; 3], 1.0),
@@ -43,27 +43,29 @@ fn rooms_have_no_acne_and_no_leak() {
         ([1e6, -1e6, 5e5], 1024.0),
         ([-5e5; 3], 1e6),
     ] {
-        let all = stages(&room(low, size));
+        let all = suite.stages(&room(low, size))?;
         for (pixel, seen) in all.seen.iter().enumerate() {
             let faced = all.counts[1][pixel].shadow;
-            assert_eq!(seen & 0xaaaa_aaaa, 0, "size {size} at {low:?}: a leak at {:?}", all.surfaces[pixel]);
-            assert!(seen.count_ones() <= faced);
+            suite.check(seen & 0xaaaa_aaaa == 0, || {
+                format!("size {size} at {low:?}: a leak at {:?}", all.surfaces[pixel])
+            });
+            suite.check(seen.count_ones() <= faced, || {
+                format!("pixel {pixel} sees more lights than it faces")
+            });
             rays += faced as usize;
         }
         // Without the lights outside, what is faced is seen.
         let mut within = room(low, size);
         within.lights = within.lights.into_iter().step_by(2).collect();
-        let inner = stages(&within);
+        let inner = suite.stages(&within)?;
         for (pixel, seen) in inner.seen.iter().enumerate() {
             let faced = inner.counts[1][pixel].shadow;
-            assert_eq!(
-                seen.count_ones(),
-                faced,
-                "size {size} at {low:?}: acne at {:?}",
-                inner.surfaces[pixel]
-            );
+            suite.check(seen.count_ones() == faced, || {
+                format!("size {size} at {low:?}: acne at {:?}", inner.surfaces[pixel])
+            });
         }
     }
-    assert!(rays > 100_000, "{rays}");
-    tried("secondary rays/rooms", rays);
+    suite.check(rays > 100_000, || format!("{rays}"));
+    suite.tried(rays);
+    Ok(())
 }

@@ -1,7 +1,18 @@
 //! What a ray hits, by brute force and in words of its own: the rules of DESIGN §3.1 with edge signs from exact f64 products.
 
-use crate::meshes::Vector;
-use parallax_shared::layout::{Hit, NONE, Ray, Triangle};
+use super::meshes::Vector;
+use glam::DVec3;
+use parallax_shared::layout::{Hit, NONE, Ray, Triangle, View};
+
+/// A vector in f64.
+pub fn wide(v: Vector) -> DVec3 {
+    DVec3::from(v.map(f64::from))
+}
+
+/// Direction of the ray through pixel (`x`, `y`), which may be fractional.
+pub fn direction(view: &View, x: f64, y: f64) -> DVec3 {
+    wide(view.corner) + wide(view.step_x) * x + wide(view.step_y) * y
+}
 
 /// A ray for brute force.
 pub struct Reference {

@@ -1,11 +1,12 @@
 //! Directions without a component, flat boxes, slab planes, edges, and what is no ray.
 
-use super::backends::{assert_brute_force, hits, structure, tried};
+use crate::verify::Outcome;
+use crate::verify::input::meshes::{Random, cube, icosphere, towards};
+use crate::verify::input::stage::{ellipsoid, sphere};
+use crate::verify::suite::{Suite, structure};
 use bytemuck::Zeroable;
 use parallax_shared::layout::{NONE, Ray, Row, Triangle};
 use parallax_shared::traversal::closest_hit;
-use parallax_tests::meshes::{Random, cube, icosphere, towards};
-use parallax_tests::stage::{ellipsoid, sphere};
 use std::time::{Duration, Instant};
 
 /// Tiles in three planes of a lattice, one for each axis: every leaf's box is flat, and lattice points are on planes of slabs.
@@ -36,8 +37,7 @@ const COMPONENTS: [f32; 11] =
 ///
 /// No one guard is held: 1/d is clamped to ±10¹⁸ (`traversal::ray::clamped_inverse`), and without that the slabs' comparisons, which are false for
 /// the NaN of 0 · ∞, still leave that axis out.
-#[test]
-fn directions_without_a_component_meet_what_they_should() {
+pub fn directions_without_a_component_meet_what_they_should(suite: &mut Suite) -> Outcome {
     let tiles = tiles();
     let mut random = Random(1);
     let mut rays = Vec::new();
@@ -60,16 +60,17 @@ fn directions_without_a_component_meet_what_they_should() {
             rays.push(Ray { origin, t_min: 0.0, dir, t_max: f32::INFINITY });
         }
     }
-    let found = assert_brute_force(&tiles, &rays);
-    assert!(found.iter().filter(|hit| hit.prim_id != NONE).count() > rays.len() / 10);
-    tried("boxes/zero and denormal directions, slab planes, flat boxes", rays.len());
+    let found = suite.brute_force(&tiles, &rays)?;
+    let hit_count = found.iter().filter(|hit| hit.prim_id != NONE).count();
+    suite.check(hit_count > rays.len() / 10, || format!("only {hit_count} rays hit"));
+    suite.tried(rays.len());
+    Ok(())
 }
 
 /// Rays along the edges of a cube, through its corners, and within its faces; inside and out.
 ///
 /// Guard: a near plane is padded outwards, a far one too (`traversal::ray::Prepared`).
-#[test]
-fn rays_along_edges_meet_what_they_should() {
+pub fn rays_along_edges_meet_what_they_should(suite: &mut Suite) -> Outcome {
     let mut cases = 0;
     for (half, centre) in [(1.0, [0.0; 3]), (0.3, [10.1, -7.7, 0.3]), (1e-3, [1.0, 1.0, 1.0])] {
         let mesh = cube(half, centre);
@@ -84,7 +85,7 @@ fn rays_along_edges_meet_what_they_should() {
                         let mut origin = at;
                         origin[axis] -= sign * back * half;
                         let other = (axis + 1) % 3;
-                        origin[other] = f32::from_bits(origin[other].to_bits() + lift);
+                        origin[other] = lifted(origin[other], lift);
                         let mut dir = [0.0; 3];
                         dir[axis] = sign;
                         rays.push(Ray { origin, t_min: 0.0, dir, t_max: f32::INFINITY });
@@ -92,10 +93,16 @@ fn rays_along_edges_meet_what_they_should() {
                 }
             }
         }
-        assert_brute_force(&mesh.triangles, &rays);
+        suite.brute_force(&mesh.triangles, &rays)?;
         cases += rays.len();
     }
-    tried("boxes/along edges", cases);
+    suite.tried(cases);
+    Ok(())
+}
+
+/// A coordinate away from zero by so many ULP; zero by so many of 1, as denormal coordinates are no ordinary ones.
+fn lifted(x: f32, ulps: u32) -> f32 {
+    if x == 0.0 { ulps as f32 * f32::EPSILON } else { f32::from_bits(x.to_bits() + ulps) }
 }
 
 fn broken_rays() -> Vec<Ray> {
@@ -132,26 +139,25 @@ fn least_time(rows: &[Row], extent: f32, rays: &[Ray]) -> Duration {
         }
         start.elapsed()
     };
-    (0..15).map(|_| once()).min().unwrap()
+    (0..15).map(|_| once()).min().unwrap_or_default()
 }
 
 /// A ray with a NaN or an infinity misses triangles, spheres and ellipsoids, in at most 2.5 times the time of an ordinary ray.
 ///
 /// Guard: a walk begins with a finite ray only (`Prepared::is_proper`); a NaN otherwise meets every box that it asks.
-#[test]
-fn what_is_no_ray_misses_in_the_time_of_a_ray() {
+pub fn what_is_no_ray_misses_in_the_time_of_a_ray(suite: &mut Suite) -> Outcome {
     let mesh = icosphere(5, 1.0, [0.0; 3]);
     let ball = sphere([0.0; 3], 1.0, 0);
     let egg = ellipsoid([0.0; 3], [1.0, 0.9, 0.8], 0.3, 0);
     let broken = broken_rays();
     for bvh in
-        [structure(&mesh.triangles, &[], &[]), structure(&[], &[ball], &[]), structure(&[], &[], &[egg])]
+        [structure(&mesh.triangles, &[], &[])?, structure(&[], &[ball], &[])?, structure(&[], &[], &[egg])?]
     {
-        for (ray, hit) in broken.iter().zip(hits(&bvh, &broken)) {
-            assert_eq!(hit.prim_id, NONE, "{ray:?}");
+        for (ray, hit) in broken.iter().zip(suite.hits(&bvh, &broken)?) {
+            suite.check(hit.prim_id == NONE, || format!("{ray:?}"));
         }
     }
-    let bvh = structure(&mesh.triangles, &[], &[]);
+    let bvh = structure(&mesh.triangles, &[], &[])?;
     let mut random = Random(3);
     let ordinary: Vec<_> = (0..broken.len())
         .map(|_| {
@@ -160,6 +166,7 @@ fn what_is_no_ray_misses_in_the_time_of_a_ray() {
         })
         .collect();
     let [bad, good] = [&broken, &ordinary].map(|rays| least_time(&bvh.rows, bvh.extent, rays));
-    assert!(2 * bad <= 5 * good, "{bad:?} instead of at most 2.5 times {good:?}");
-    tried("boxes/NaN and infinite rays", 3 * broken.len());
+    suite.check(2 * bad <= 5 * good, || format!("{bad:?} instead of at most 2.5 times {good:?}"));
+    suite.tried(3 * broken.len());
+    Ok(())
 }

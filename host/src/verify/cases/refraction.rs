@@ -1,11 +1,13 @@
 //! Grazing and critical angles, indices near 1, nested media, a furnace of them.
 
-use super::backends::{stages, tried};
+use crate::verify::Outcome;
+use crate::verify::input::small_scenes::{glass, view};
+use crate::verify::input::stage::{Stage, sphere};
+use crate::verify::suite::Suite;
+use parallax_kernels::arithmetic::operation::REFLECTANCE;
 use parallax_shared::layout::Material;
 use parallax_shared::shading::bounce::MAX_DEPTH;
 use parallax_shared::shading::fresnel::{reflectance, refracted_cosine};
-use parallax_tests::small_scenes::{glass, view};
-use parallax_tests::stage::{Stage, sphere};
 
 /// Fresnel's share in f64, 1 where all is reflected.
 fn exact(cos_i: f64, eta: f64) -> f64 {
@@ -21,12 +23,11 @@ fn exact(cos_i: f64, eta: f64) -> f64 {
 /// Cosines of every exponent and around the critical angle, indices down to one ULP from 1.
 ///
 /// Guard: total reflection is decided before the root (`fresnel::refracted_cosine`). The clamp of the share to 0 ..= 1 is not needed by these.
-#[test]
-fn fresnels_share_is_a_share() {
+pub fn fresnels_share_is_a_share(suite: &mut Suite) -> Outcome {
     let near = |x: f32, ulps: i32| f32::from_bits((x.to_bits() as i32 + ulps) as u32);
     let mut etas = vec![1.0f32, 1.33, 1.5, 2.4, 1.0 / 1.33, 1.0 / 1.5, 1.0 / 2.4, 1e-3, 1e3];
     etas.extend([-64, -8, -2, -1, 1, 2, 8, 64, 1024, 65536].map(|ulps| near(1.0, ulps)));
-    let mut cases = 0;
+    let (mut cosines, mut indices) = (Vec::new(), Vec::new());
     for eta in etas {
         let critical = (1.0 - f64::from(eta).powi(2)).max(0.0).sqrt() as f32;
         let around = (-2000..=2000).map(|ulps| near(critical.max(1e-3), ulps));
@@ -34,29 +35,32 @@ fn fresnels_share_is_a_share() {
         let large = (0..2000).map(|ulps| near(1.0, -ulps));
         for cos_i in around.chain(small).chain(large).chain([0.0, -0.0]).filter(|cos| *cos <= 1.0) {
             let share = reflectance(cos_i, eta);
-            assert!((0.0..=1.0).contains(&share), "{cos_i} {eta}: {share}");
+            suite.check((0.0..=1.0).contains(&share), || format!("{cos_i} {eta}: {share}"));
             if let Some(cos_t) = refracted_cosine(cos_i, eta) {
-                assert!(cos_t > 0.0 && cos_t <= 1.0, "{cos_i} {eta}: {cos_t}");
+                suite.check(cos_t > 0.0 && cos_t <= 1.0, || format!("{cos_i} {eta}: {cos_t}"));
             } else {
-                assert_eq!(share, 1.0);
+                suite.check(share == 1.0, || format!("{cos_i} {eta}: {share}, not 1"));
             }
             // At the critical angle the share rises like a square root of what 1 − cos² is rounded by.
             let away = (f64::from(cos_i) - f64::from(critical)).abs();
             if away > 1e-3 && cos_i > 1e-2 {
                 let want = exact(cos_i.into(), eta.into());
-                assert!((f64::from(share) - want).abs() < 2e-4, "{cos_i} {eta}: {share}, not {want}");
+                suite.check((f64::from(share) - want).abs() < 2e-4, || {
+                    format!("{cos_i} {eta}: {share}, not {want}")
+                });
             }
-            cases += 1;
+            cosines.push(cos_i.to_bits());
+            indices.push(eta.to_bits());
         }
     }
-    tried("refraction/Fresnel", cases);
+    suite.same_values("reflectance", REFLECTANCE, &cosines, &indices)?;
+    Ok(())
 }
 
 /// Balls of glass in balls of other glass, some a hair apart, in a furnace: no pixel is brighter than the sky, and the bits are the same.
 ///
 /// Guard: a path ends at the depth limit and what is cut off is black, never bright (`bounce::spawn`).
-#[test]
-fn nested_media_in_a_furnace_make_no_light() {
+pub fn nested_media_in_a_furnace_make_no_light(suite: &mut Suite) -> Outcome {
     let mut cases = 0;
     for etas in [[1.5, 1.33, 1.0], [1.000_001, 1.0, 0.999_999], [2.4, 1.0 / 2.4, 1.5], [1.5, 1.5, 1.5]] {
         let mut stage = Stage::new(view([0.0, 0.5, 4.0], [0.0, 0.0, 0.0]));
@@ -64,11 +68,14 @@ fn nested_media_in_a_furnace_make_no_light() {
         stage.materials = etas.map(|eta| Material { eta, ..glass() }).into();
         stage.spheres =
             vec![sphere([0.0; 3], 1.0, 0), sphere([0.0; 3], 0.999, 1), sphere([0.2, 0.0, 0.0], 0.5, 2)];
-        let stages = stages(&stage);
+        let stages = suite.stages(&stage)?;
         for colour in &stages.colours {
-            assert!(colour[..3].iter().all(|c| (0.0..=1.0 + 1e-5).contains(c)), "{etas:?}: {colour:?}");
+            suite.check(colour[..3].iter().all(|c| (0.0..=1.0 + 1e-5).contains(c)), || {
+                format!("{etas:?}: {colour:?}")
+            });
         }
         cases += stages.colours.len();
     }
-    tried("refraction/nested media", cases);
+    suite.tried(cases);
+    Ok(())
 }

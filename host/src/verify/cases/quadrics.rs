@@ -1,11 +1,12 @@
 //! Spheres and ellipsoids: small ones far away, origins inside, tangents, flat ones; through the structure, on both backends.
 
-use super::backends::{hits, structure, tried};
+use crate::verify::Outcome;
+use crate::verify::input::meshes::Random;
+use crate::verify::input::reference::wide;
+use crate::verify::input::stage;
+use crate::verify::suite::{Suite, structure};
 use glam::{DMat3, DVec3, Vec3};
 use parallax_shared::layout::{Ellipsoid, NONE, Ray};
-use parallax_tests::meshes::Random;
-use parallax_tests::oracle::wide;
-use parallax_tests::stage;
 
 fn direction(random: &mut Random) -> DVec3 {
     loop {
@@ -41,8 +42,7 @@ fn exact(ray: &Ray, centre: DVec3, to_unit: DMat3) -> (Option<f64>, f64) {
 /// Spheres of radius 10⁻⁴ at a distance of 10⁴, from all sides and up to their rims.
 ///
 /// Guard: the origin is moved to the point nearest to the centre by exact sums and products (`Offset::along`).
-#[test]
-fn small_spheres_far_away_are_hit_where_they_are() {
+pub fn small_spheres_far_away_are_hit_where_they_are(suite: &mut Suite) -> Outcome {
     let mut random = Random(1);
     let mut cases = 0;
     for (radius, distance) in [(1e-4, 1e4), (1e-2, 1e4), (1.0, 1e6)] {
@@ -59,33 +59,33 @@ fn small_spheres_far_away_are_hit_where_they_are() {
             })
             .collect();
         let scale = DMat3::from_diagonal(DVec3::splat(1.0 / f64::from(radius)));
-        let found = hits(&structure(&[], &[ball], &[]), &rays);
+        let found = suite.hits(&structure(&[], &[ball], &[])?, &rays)?;
         let mut hit_count = 0;
         for (ray, hit) in rays.iter().zip(&found) {
             let (t, depth) = exact(ray, centre.as_dvec3(), scale);
             if depth.abs() > 1e-5 {
-                assert_eq!(
-                    hit.prim_id != NONE,
-                    t.is_some(),
-                    "radius {radius}: {ray:?}, {depth} radii inside"
-                );
+                suite.check((hit.prim_id != NONE) == t.is_some(), || {
+                    format!("radius {radius}: {ray:?}, {depth} radii inside")
+                });
             }
             if let (Some(t), true) = (t, hit.prim_id != NONE) {
-                assert!((f64::from(hit.t) - t).abs() <= 1e-6 * t.max(1.0), "{ray:?}: {} not {t}", hit.t);
+                suite.check((f64::from(hit.t) - t).abs() <= 1e-6 * t.max(1.0), || {
+                    format!("{ray:?}: {} not {t}", hit.t)
+                });
                 hit_count += 1;
             }
         }
-        assert!(hit_count > 5000, "radius {radius}: {hit_count} hits");
+        suite.check(hit_count > 5000, || format!("radius {radius}: {hit_count} hits"));
         cases += rays.len();
     }
-    tried("quadrics/small and far away", cases);
+    suite.tried(cases);
+    Ok(())
 }
 
 /// From inside the far side is met, whatever the direction; from the surface inwards as well.
 ///
 /// Guard: the second root is taken where the first is before `t_min` (`Chord::first_root`).
-#[test]
-fn from_inside_the_far_side_is_met() {
+pub fn from_inside_the_far_side_is_met(suite: &mut Suite) -> Outcome {
     let mut random = Random(2);
     let mut cases = 0;
     for (centre, radius) in [([0.0; 3], 1.0), ([100.0, -7.0, 3.0], 0.25), ([0.1, 0.2, 0.3], 1e3)] {
@@ -99,23 +99,24 @@ fn from_inside_the_far_side_is_met() {
             })
             .collect();
         let scale = DMat3::from_diagonal(DVec3::splat(1.0 / f64::from(radius)));
-        for (ray, hit) in rays.iter().zip(hits(&structure(&[], &[ball], &[]), &rays)) {
-            let (t, _) = exact(ray, wide(centre), scale);
-            let t = t.expect("a ray from inside leaves");
+        for (ray, hit) in rays.iter().zip(suite.hits(&structure(&[], &[ball], &[])?, &rays)?) {
+            // A ray from inside leaves.
+            let t = exact(ray, wide(centre), scale).0.unwrap_or(f64::NAN);
             let size = f64::from(radius) + wide(centre).length();
-            assert_eq!(hit.prim_id, 0, "{ray:?}");
-            assert!((f64::from(hit.t) - t).abs() <= 1e-6 * size, "{ray:?}: {} not {t}", hit.t);
+            suite.check(hit.prim_id == 0, || format!("{ray:?}"));
+            suite
+                .check((f64::from(hit.t) - t).abs() <= 1e-6 * size, || format!("{ray:?}: {} not {t}", hit.t));
         }
         cases += rays.len();
     }
-    tried("quadrics/origin inside", cases);
+    suite.tried(cases);
+    Ok(())
 }
 
 /// Rays along a tangent, exactly, and one ULP to either side: a hit within, a miss without, never a NaN.
 ///
 /// Guard: a negative discriminant is a miss before the root is taken (`Chord::new`).
-#[test]
-fn tangents_are_decided() {
+pub fn tangents_are_decided(suite: &mut Suite) -> Outcome {
     let mut rays = Vec::new();
     for (axis, sign) in (0..3).flat_map(|axis| [(axis, 1.0f32), (axis, -1.0)]) {
         for away in [2.0f32, 16.0, 1024.0] {
@@ -131,20 +132,22 @@ fn tangents_are_decided() {
         }
     }
     let given: Vec<_> = rays.iter().map(|(ray, ..)| *ray).collect();
-    let found = hits(&structure(&[], &[stage::sphere([0.0; 3], 1.0, 0)], &[]), &given);
+    let found = suite.hits(&structure(&[], &[stage::sphere([0.0; 3], 1.0, 0)], &[])?, &given)?;
     for ((ray, away, expected), hit) in rays.iter().zip(found) {
-        assert!(!hit.t.is_nan());
-        assert!(expected.is_none_or(|is_hit| is_hit == (hit.prim_id != NONE)), "{ray:?}: {hit:?}");
-        assert!(hit.prim_id == NONE || (hit.t - away).abs() < 3e-3, "{ray:?}: {hit:?}");
+        suite.check(!hit.t.is_nan(), || format!("{ray:?}: NaN"));
+        suite.check(expected.is_none_or(|is_hit| is_hit == (hit.prim_id != NONE)), || {
+            format!("{ray:?}: {hit:?}")
+        });
+        suite.check(hit.prim_id == NONE || (hit.t - away).abs() < 3e-3, || format!("{ray:?}: {hit:?}"));
     }
-    tried("quadrics/tangents", rays.len());
+    suite.tried(rays.len());
+    Ok(())
 }
 
 /// Ellipsoids 10⁴ times as wide as thick, turned, near and far: hits lie on them.
 ///
 /// Guard: the origin is moved in world space before the matrix, whose rows differ by 10⁴, is applied (`ellipsoid::chord_of`).
-#[test]
-fn flat_ellipsoids_are_hit_where_they_are() {
+pub fn flat_ellipsoids_are_hit_where_they_are(suite: &mut Suite) -> Outcome {
     let mut random = Random(4);
     let mut cases = 0;
     for half in [[1.0, 1e-4, 1.0], [1e-4, 1.0, 1e-4], [1.0, 1.0, 1e-4]] {
@@ -161,11 +164,13 @@ fn flat_ellipsoids_are_hit_where_they_are() {
                     Ray { origin: origin.to_array(), t_min: 0.0, dir, t_max: f32::INFINITY }
                 })
                 .collect();
-            for (ray, hit) in rays.iter().zip(hits(&structure(&[], &[], &[shape]), &rays)) {
+            for (ray, hit) in rays.iter().zip(suite.hits(&structure(&[], &[], &[shape])?, &rays)?) {
                 // What remains of 24 digits of a distance is less than the thickness: not every line is decided.
                 let (t, depth) = exact(ray, centre, to_unit);
                 if depth.abs() > 1e-3 * distance {
-                    assert_eq!(hit.prim_id != NONE, t.is_some(), "{half:?} at {distance}: {ray:?}, {depth}");
+                    suite.check((hit.prim_id != NONE) == t.is_some(), || {
+                        format!("{half:?} at {distance}: {ray:?}, {depth}")
+                    });
                 }
                 if hit.prim_id != NONE {
                     let at = wide(ray.origin) + wide(ray.dir) * f64::from(hit.t);
@@ -175,14 +180,14 @@ fn flat_ellipsoids_are_hit_where_they_are() {
                     let along = t.map_or(f64::INFINITY, |t| {
                         (f64::from(hit.t) - t).abs() * Vec3::from(ray.dir).length() as f64
                     });
-                    assert!(
-                        to_surface.min(along) < 1e-6 * (distance + 1.0),
-                        "{half:?} at {distance}: {to_surface}"
-                    );
+                    suite.check(to_surface.min(along) < 1e-6 * (distance + 1.0), || {
+                        format!("{half:?} at {distance}: {to_surface}")
+                    });
                 }
             }
             cases += rays.len();
         }
     }
-    tried("quadrics/flat ellipsoids", cases);
+    suite.tried(cases);
+    Ok(())
 }

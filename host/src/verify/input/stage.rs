@@ -1,7 +1,8 @@
 //! A scene made by hand, rendered by the passes themselves on any backend: for tests that must know what is in it.
 
-use parallax::backend::{Backend, BackendError};
-use parallax::build::{self, Quality};
+use crate::backend::Backend;
+use crate::build::{self, Quality};
+use crate::render::RenderError;
 use parallax_kernels::{
     bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface as SurfacePass,
 };
@@ -55,6 +56,21 @@ pub struct Stages {
     pub colours: Vec<[f32; 4]>,
     /// Rays of the passes `primary`, `shadow` and `bounce`.
     pub counts: [Vec<RayCounts>; 3],
+}
+
+impl Stages {
+    /// The same bits as another backend made? By what they are of.
+    pub fn compare(&self, other: &Self) -> [(&'static str, bool); 6] {
+        let words = |colours: &[[f32; 4]]| bytemuck::cast_slice::<_, u32>(colours).to_vec();
+        [
+            ("hits", self.hits == other.hits),
+            ("surfaces", self.surfaces == other.surfaces),
+            ("lights seen", self.seen == other.seen),
+            ("local colours", words(&self.local) == words(&other.local)),
+            ("colours", words(&self.colours) == words(&other.colours)),
+            ("counts of rays", self.counts == other.counts),
+        ]
+    }
 }
 
 /// A matt white material that other ones are made of.
@@ -178,7 +194,7 @@ impl Stage {
     }
 
     /// Runs all passes with the effects that the scene calls for.
-    pub fn render<B: Backend>(&self, backend: &mut B) -> Result<Stages, BackendError> {
+    pub fn render<B: Backend>(&self, backend: &mut B) -> Result<Stages, RenderError> {
         self.render_with(backend, self.effects())
     }
 
@@ -187,9 +203,8 @@ impl Stage {
         &self,
         backend: &mut B,
         Effects(effects): Effects,
-    ) -> Result<Stages, BackendError> {
-        let bvh = build::build(&self.triangles, &self.spheres, &self.ellipsoids, Quality::default())
-            .expect("a small scene");
+    ) -> Result<Stages, RenderError> {
+        let bvh = build::build(&self.triangles, &self.spheres, &self.ellipsoids, Quality::default())?;
         let (view, info) = (self.view, self.info(bvh.extent));
         let pixels = (view.width * view.rows) as usize;
         let rows = backend.upload("rows", &bvh.rows)?;

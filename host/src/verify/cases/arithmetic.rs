@@ -1,0 +1,172 @@
+//! Division and square root against the processor's, elementary functions against f64, sums and products of both backends.
+
+use crate::verify::Outcome;
+use crate::verify::input::meshes::Random;
+use crate::verify::input::numbers::{is_same, ordinary, quotients, special, special_pairs, ulps};
+use crate::verify::suite::{CHUNK, Suite, values};
+use parallax_kernels::arithmetic::operation::*;
+
+/// Pairs that are divided where the whole range is tried.
+const ALL_QUOTIENTS: u64 = 1_000_000_000;
+
+/// An operation that is made of another one's approximation and its exact remainder, and what it is compared with.
+struct Corrected {
+    name: &'static str,
+    operation: u32,
+    corrected: u32,
+    native: u32,
+}
+
+const DIVISION: Corrected =
+    Corrected { name: "/", operation: DIVIDE, corrected: CORRECTED_DIVIDE, native: NATIVE_DIVIDE };
+const SQUARE_ROOT: Corrected =
+    Corrected { name: "√", operation: ROOT, corrected: CORRECTED_ROOT, native: NATIVE_ROOT };
+
+impl Corrected {
+    /// Compares the processor's corrected results and the device's with what the processor has in hardware, which is correctly rounded.
+    fn assert_rounded(&self, suite: &mut Suite, a: &[u32], b: &[u32]) -> Outcome {
+        let (name, native) = (self.name, values(suite.cpu, self.native, a, b)?);
+        let corrected = values(suite.cpu, self.corrected, a, b)?;
+        let others = suite.values(self.operation, a, b)?.1;
+        for (place, results) in [("CPU, corrected", Some(corrected)), ("GPU", others)] {
+            for (i, (result, expected)) in results.iter().flatten().zip(&native).enumerate() {
+                suite.check(is_same(*result, *expected), || {
+                    format!("{place}: {:08x} {name} {:08x} is {expected:08x}, not {result:08x}", a[i], b[i])
+                });
+            }
+        }
+        suite.tried(a.len());
+        Ok(())
+    }
+}
+
+/// All pairs of special values, and hostile ones: denormal results, ties, overflow; 10⁹ of them where all is tried.
+///
+/// Guard: the first quotient is set too low by a margin that exceeds any driver's error (`math::division`).
+pub fn divisions_are_correctly_rounded(suite: &mut Suite) -> Outcome {
+    let (a, b) = special_pairs();
+    DIVISION.assert_rounded(suite, &a, &b)?;
+    let mut random = Random(1);
+    let chunks = if suite.full { ALL_QUOTIENTS.div_ceil(CHUNK as u64) } else { 1 };
+    for chunk in 0..chunks {
+        let (a, b) = quotients(&mut random, CHUNK);
+        DIVISION.assert_rounded(suite, &a, &b)?;
+        suite.done(chunk + 1, chunks);
+    }
+    Ok(())
+}
+
+/// Every 4097th number; all 2³² where all is tried.
+///
+/// Guard: the first root is set too low by a margin that exceeds any driver's error (`math::root`).
+pub fn square_roots_are_correctly_rounded(suite: &mut Suite) -> Outcome {
+    let special = special();
+    SQUARE_ROOT.assert_rounded(suite, &special, &special)?;
+    let chunks = if suite.full { (1 << 32) / CHUNK as u64 } else { 1 };
+    let step = ((1 << 32) / CHUNK as u64 / chunks) as u32;
+    for chunk in 0..chunks {
+        let first = chunk as u32 * CHUNK as u32;
+        // An odd step visits every mantissa's last bits.
+        let numbers: Vec<_> =
+            (0..CHUNK as u32).map(|i| (first.wrapping_add(i)).wrapping_mul(step | 1)).collect();
+        SQUARE_ROOT.assert_rounded(suite, &numbers, &numbers)?;
+        suite.done(chunk + 1, chunks);
+    }
+    Ok(())
+}
+
+/// Elementary functions within the bounds that their docs state, against f64; the same bits on both backends.
+pub fn elementary_functions_keep_their_bounds(suite: &mut Suite) -> Outcome {
+    const COUNT: usize = 200_000;
+    let mut random = Random(5);
+    let mut between = |low: f32, high: f32| -> Vec<u32> {
+        (0..COUNT).map(|_| (low + (high - low) * random.unit()).to_bits()).collect()
+    };
+    let exponents = between(-126.0, 128.0);
+    bounded(suite, "2^x", EXP2, &exponents, &exponents, |x, _| x.exp2(), |_, _, ulps, _| ulps <= 1.5)?;
+    let mut positive = between(0.5, 2.0);
+    positive.extend((0..COUNT as u32).map(|i| i * 10_650 + 1));
+    positive.retain(|x| f32::from_bits(*x) != 1.0);
+    bounded(suite, "log₂", LOG2, &positive, &positive, |x, _| x.log2(), |_, _, ulps, _| ulps <= 3.0)?;
+    let (bases, mut powers) = (between(0.0, 1.3), between(0.0, 300.0));
+    powers.iter_mut().step_by(2).for_each(|y| *y = f32::from_bits(*y).floor().to_bits());
+    bounded(suite, "^", POW, &bases, &powers, f64::powf, |x, y, _, share| {
+        // Where the power is an ordinary number.
+        let magnitude = y * x.log2();
+        let whole = if y.fract() == 0.0 { y } else { 0.0 };
+        let bound = (2.0 + 2.0 * magnitude.abs() + whole) * f64::from(f32::EPSILON);
+        !(-62.0..126.0).contains(&magnitude) || share <= bound
+    })?;
+    let (ys, xs) = (between(-1.0, 1.0), between(-1.0, 1.0));
+    bounded(suite, "atan2", ATAN2, &ys, &xs, f64::atan2, |y, x, ulps, share| {
+        let angle = y.atan2(x);
+        share * angle.abs() <= 4e-7 && (y.abs() > x || ulps <= 4.0)
+    })
+}
+
+/// Compares a function with f64: `holds` is told both operands, the error in ULP and as a share of the result.
+fn bounded(
+    suite: &mut Suite,
+    name: &str,
+    operation: u32,
+    a: &[u32],
+    b: &[u32],
+    exact: impl Fn(f64, f64) -> f64,
+    holds: impl Fn(f64, f64, f64, f64) -> bool,
+) -> Outcome {
+    let results = suite.same_values(name, operation, a, b)?;
+    for ((a, b), result) in a.iter().zip(b).zip(results) {
+        let [a, b] = [*a, *b].map(|word| f64::from(f32::from_bits(word)));
+        let truth = exact(a, b);
+        let share = (f64::from(f32::from_bits(result)) / truth - 1.0).abs();
+        suite.check(holds(a, b, ulps(result, truth), share), || {
+            format!("{name} of {a} and {b} is {truth}, not {}", f32::from_bits(result))
+        });
+    }
+    Ok(())
+}
+
+/// Sums, products, their errors, the smaller and the larger one, and whole numbers: of ordinary operands with ordinary results, and of
+/// zeros, infinities and NaN.
+///
+/// Guards: no contraction in the strict profile, minimum and maximum by comparison and selection (`math`).
+pub fn sums_products_and_choices_have_the_same_bits(suite: &mut Suite) -> Outcome {
+    let mut random = Random(6);
+    let [a, mut b] = [(); 2].map(|()| ordinary(&mut random, 1 << 18, -30, 30));
+    // Sums that cancel but for a few digits.
+    for i in (0..a.len()).step_by(4) {
+        b[i] = (a[i] ^ 0x8000_0000).wrapping_add(random.below(64) as u32);
+    }
+    let (special_a, special_b) = special_pairs();
+    for (name, operation) in [
+        ("+", ADD),
+        ("·", MULTIPLY),
+        ("error of ·", PRODUCT_ERROR),
+        ("min", MIN),
+        ("max", MAX),
+        ("floor", FLOOR),
+    ] {
+        suite.same_values(name, operation, &a, &b)?;
+        // Denormals are for division and square root to keep: a driver may flush them here.
+        let kept = |(a, b): &(u32, u32)| is_ordinary(operation, f32::from_bits(*a), f32::from_bits(*b));
+        let pairs = special_a.iter().copied().zip(special_b.iter().copied()).filter(kept);
+        let (a, b): (Vec<_>, Vec<_>) = pairs.unzip();
+        suite.same_values(name, operation, &a, &b)?;
+    }
+    Ok(())
+}
+
+/// Whether neither operand is denormal, nor the result before it is rounded.
+fn is_ordinary(operation: u32, a: f32, b: f32) -> bool {
+    let (wide_a, wide_b) = (f64::from(a), f64::from(b));
+    let is_normal =
+        |result: f64| result == 0.0 || result.abs() >= f32::MIN_POSITIVE.into() || result.is_nan();
+    let result_is = match operation {
+        ADD => is_normal(wide_a + wide_b),
+        MULTIPLY => is_normal(wide_a * wide_b),
+        // Defined for products from 2⁻⁷⁸ to 2¹⁰⁰ of numbers that can be split.
+        PRODUCT_ERROR => [wide_a, wide_b, wide_a * wide_b].iter().all(|x| (1e-23..1e30).contains(&x.abs())),
+        _ => true,
+    };
+    !a.is_subnormal() && !b.is_subnormal() && result_is
+}
