@@ -1,5 +1,5 @@
-//! The arithmetic of `shared::math`: corrected division and square root against the hardware's, elementary
-//! functions against f64.
+//! The arithmetic of `shared::math`: division and square root corrected from approximations that are off, and what functions decide where
+//! their arguments are special. Their accuracy is a hard case (`parallax::verify::cases::arithmetic`).
 
 use parallax_shared::math::{self, vector};
 
@@ -26,13 +26,6 @@ fn nudge(x: f32, ulps: i32) -> f32 {
 
 fn same(a: f32, b: f32) -> bool {
     a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan())
-}
-
-/// Distance of `value` from `truth` in units of the last place of `truth`.
-fn ulps(value: f32, truth: f64) -> f64 {
-    let nearest = (truth.abs() as f32).max(f32::MIN_POSITIVE);
-    let exponent = (nearest.to_bits() >> 23) as i32 - 150;
-    (value as f64 - truth).abs() / 2f64.powi(exponent)
 }
 
 /// Every kind of operand that has a rule of its own in IEEE 754.
