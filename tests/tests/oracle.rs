@@ -10,7 +10,7 @@ use parallax_shared::geom::ellipsoid::{self, ToUnit};
 use parallax_shared::geom::sphere;
 use parallax_shared::layout::{Ellipsoid, Material, NONE, Ray, Texture, View};
 use parallax_tests::oracle::Oracle;
-use parallax_tests::reference::direction;
+use parallax_tests::reference::{direction, wide};
 use parallax_tests::stage::{self, Stage, light, quad, white};
 
 const SIDE: u32 = 64;
@@ -354,8 +354,8 @@ fn flat_ellipsoids_far_away_are_hit_where_they_are() {
     let (mut hits, mut misses, mut worst) = (0, 0, 0f64);
     for _ in 0..20_000 {
         let shape = stage::ellipsoid([0.5, -0.25, 0.125], [1.0, 1e-4, 1.0], random.between(0.0, 6.0), 0);
-        let (centre, rows) = (oracle::wide(shape.centre), shape.world_to_unit.map(|[x, y, z, _]| [x, y, z]));
-        let [x, y, z] = rows.map(oracle::wide);
+        let (centre, rows) = (wide(shape.centre), shape.world_to_unit.map(|[x, y, z, _]| [x, y, z]));
+        let [x, y, z] = rows.map(wide);
         let to_unit = DMat3::from_cols(x, y, z).transpose();
         let origin = (centre + random.direction() * 1e3).as_vec3();
         let target = centre + to_unit.inverse() * (random.direction() * random.between(0.0, 1.5));
