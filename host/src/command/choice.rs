@@ -2,7 +2,7 @@
 
 use super::failure::{Blame, Failure};
 use anyhow::Context;
-use parallax::backend::Profile;
+use parallax::backend::{Backend, Device, Profile};
 use parallax::scene::Scene;
 use parallax::study::{self, Choice, Settings, Target, Wish};
 use std::path::PathBuf;
@@ -32,14 +32,17 @@ impl ChoiceOptions {
         self.budget_ms.is_some() || self.max_error.is_some()
     }
 
-    /// The settings for a scene on a backend; says on stderr which ones they are.
-    pub fn choose(&self, scene: &Scene, backend: &str, profile: Profile) -> Result<Settings, Failure> {
+    /// The settings for a scene on `device`, by the study's points of that backend alone; says on stderr which ones they are. A CPU's
+    /// points are all strict, which is the same code there as fast.
+    pub fn choose(&self, scene: &Scene, device: &Device, profile: Profile) -> Result<Settings, Failure> {
         let file = self.study.display();
         let study = std::fs::read_to_string(&self.study)
             .with_context(|| format!("cannot read {file}; `parallax study SCENE` makes a study"))
             .usage()?;
         let pixels = u64::from(scene.rig.width) * u64::from(scene.rig.height);
-        let target = Target { scene: &scene.name, pixels, backend, profile: profile.name() };
+        let profile = if matches!(device, Device::Cpu(_)) { Profile::Strict } else { profile };
+        let backend = device.describe();
+        let target = Target { scene: &scene.name, pixels, backend: &backend, profile: profile.name() };
         let wish = Wish { budget_ms: self.budget_ms, max_error: self.max_error };
         let choice = study::choose(&study, &target, &wish).with_context(|| file.to_string()).usage()?;
         let Choice { settings, milliseconds, error } = choice;

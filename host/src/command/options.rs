@@ -133,12 +133,19 @@ pub struct DeviceOptions {
     /// Where to render.
     #[arg(long, value_enum, default_value_t)]
     backend: Choice,
-    /// The GPU whose name contains NAME, software drivers included; see `parallax devices`.
-    #[arg(long, value_name = "NAME")]
-    adapter: Option<String>,
+    #[command(flatten)]
+    machine: MachineOptions,
     /// Arithmetic: the same bits everywhere, or the driver's own division, square root and contraction.
     #[arg(long, value_enum, default_value_t)]
     profile: Profile,
+}
+
+/// Which GPU, and how much of the CPU.
+#[derive(clap::Args)]
+struct MachineOptions {
+    /// The GPU whose name contains NAME, software drivers included; see `parallax devices`.
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
     /// Threads of the CPU backend; 0 for one per core.
     #[arg(long, value_name = "N", default_value_t = 0)]
     threads: usize,
@@ -149,10 +156,35 @@ impl DeviceOptions {
     pub fn selection(&self) -> Selection {
         Selection {
             backend: self.backend,
-            adapter: self.adapter.clone(),
+            adapter: self.machine.adapter.clone(),
             profile: self.profile,
-            threads: self.threads,
+            threads: self.machine.threads,
         }
+    }
+}
+
+/// On which backends something is measured, one after the other.
+#[derive(clap::Args)]
+pub struct BackendsOptions {
+    /// Where to render; several by commas or by giving the option again. --adapter is for those that are no CPU.
+    #[arg(long, value_enum, value_delimiter = ',', default_value = "auto")]
+    backend: Vec<Choice>,
+    #[command(flatten)]
+    machine: MachineOptions,
+}
+
+impl BackendsOptions {
+    /// A selection for each backend. The adapter is for those that can have one; for `cpu` only if there is no other, which is an error.
+    pub fn selections(&self) -> Vec<Selection> {
+        let all_cpu = self.backend.iter().all(|backend| *backend == Choice::Cpu);
+        let adapter = |backend| self.machine.adapter.clone().filter(|_| backend != Choice::Cpu || all_cpu);
+        let of = |&backend: &Choice| Selection {
+            backend,
+            adapter: adapter(backend),
+            profile: Profile::default(),
+            threads: self.machine.threads,
+        };
+        self.backend.iter().map(of).collect()
     }
 }
 
@@ -167,7 +199,20 @@ pub fn size(text: &str) -> Result<[u32; 2], String> {
 
 #[cfg(test)]
 mod tests {
-    use super::size;
+    use super::{BackendsOptions, MachineOptions, size};
+    use parallax::backend::Choice;
+
+    #[test]
+    fn an_adapter_is_for_the_backends_that_can_have_one() {
+        let of = |backend: &[Choice]| {
+            let machine = MachineOptions { adapter: Some("card".into()), threads: 3 };
+            let selections = BackendsOptions { backend: backend.to_vec(), machine }.selections();
+            selections.into_iter().map(|selection| (selection.backend, selection.adapter.is_some())).collect()
+        };
+        let both: Vec<_> = of(&[Choice::Cpu, Choice::Gpu]);
+        assert_eq!(both, [(Choice::Cpu, false), (Choice::Gpu, true)]);
+        assert_eq!(of(&[Choice::Cpu]), [(Choice::Cpu, true)], "and that is refused where it is opened");
+    }
 
     #[test]
     fn sizes() {

@@ -135,7 +135,7 @@ fn by_study(options: &Options) -> Result<ExitCode, Failure> {
     report::warn(&loaded.warnings);
     let selection = options.device.selection();
     let mut device = backend::select(&selection).work()?;
-    let settings = options.choice.choose(&loaded.scene, &device.describe(), selection.profile)?;
+    let settings = options.choice.choose(&loaded.scene, &device, selection.profile)?;
     loaded.scene.max_depth = settings.max_depth.unwrap_or(loaded.scene.max_depth);
     let name = loaded.scene.name.clone();
     let frame = Render { stereo: &settings.stereo, quality: settings.quality, name: &name, started };

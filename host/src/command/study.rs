@@ -2,15 +2,16 @@
 
 use super::failure::{Blame, Failure};
 use super::locate;
-use super::options::{DeviceOptions, size};
+use super::options::{BackendsOptions, size};
 use super::progress::Progress;
 use super::report::{save, warn};
 use anyhow::anyhow;
-use parallax::backend::{self, Backend, Device, Profile, Selection};
+use parallax::backend::Profile;
 use parallax::build::Quality;
 use parallax::render::{Overrides, SceneData};
 use parallax::scene::Scene;
-use parallax::study::{self, KNOBS, Knob, Measured, Study};
+use parallax::study::{self, Case, KNOBS, Knob, Machine, Study};
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -21,10 +22,11 @@ Examples:
   parallax study dragon --out study --size 800x600
   parallax study sphereflake --out study --knob method,verify    all combinations of two knobs
   parallax study spot whitted --effects --out study    what each effect costs, as code and as work
-  parallax study default --out study --backend gpu               with the price of strict arithmetic
+  parallax study default --out study --backend cpu,gpu           two backends, each by itself
 
-Files: study.jsonl has an object for each point; study.html has plots, tables and pictures of errors, and needs
-no network; effects.jsonl has the costs of effects.";
+Files: study.jsonl has an object for each point; strict.jsonl one for the price of strict arithmetic on each
+backend; study.html has plots, tables and pictures of errors, and needs no network; effects.jsonl has the costs
+of effects.";
 
 /// What is studied when no scene is named.
 const SCENES: [&str; 4] = ["dragon", "sponza", "sphereflake", "cornell"];
@@ -58,40 +60,34 @@ pub struct Options {
     #[arg(long, value_name = "N")]
     #[arg(value_parser = clap::value_parser!(u32).range(1..=1000))]
     repetitions: Option<u32>,
-    /// Folder for study.jsonl and study.html; it is made if it does not exist.
+    /// Folder for study.jsonl, strict.jsonl and study.html; it is made if it does not exist.
     #[arg(long, value_name = "DIR", default_value = "study")]
     out: PathBuf,
     #[command(flatten)]
-    device: DeviceOptions,
+    backends: BackendsOptions,
 }
 
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     let knobs = options.knob.iter().map(|name| knob(name)).collect::<Result<Vec<_>, _>>().usage()?;
-    let selection = Selection { profile: Profile::Strict, ..options.device.selection() };
-    let mut device = backend::select(&selection).work()?;
-    // On a CPU both profiles are one and the same; measuring it twice would only show noise.
-    let mut fast = match device {
-        Device::Cpu(_) => None,
-        Device::Gpu(_) => Some(backend::select(&Selection { profile: Profile::Fast, ..selection }).work()?),
-    };
+    let mut machines = Machine::open_all(&options.backends.selections()).work()?;
     if options.effects {
-        return effects(options, &mut device);
+        return effects(options, &mut machines);
     }
-    let mut scenes = Vec::new();
+    let mut cases = Vec::new();
     for path in paths(options) {
-        match measure(options, &path, &knobs, &mut device, &mut fast) {
-            Ok(measured) => scenes.push(measured),
+        match measure(options, &path, &knobs, &mut machines) {
+            Ok(of_scene) => cases.extend(of_scene),
             Err(Failure::Usage(error)) if options.scenes.is_empty() => {
                 warn(&[format!("left out: {error:#}")]);
             }
             Err(failure) => return Err(failure),
         }
     }
-    if scenes.is_empty() {
+    if cases.is_empty() {
         return Err(anyhow!("nothing was studied: all scenes are left out")).usage();
     }
-    publish(options, &device.describe(), &scenes)
+    publish(options, &machines, &cases)
 }
 
 fn knob(name: &str) -> anyhow::Result<&'static Knob> {
@@ -106,20 +102,25 @@ fn paths(options: &Options) -> Vec<PathBuf> {
     if options.scenes.is_empty() { SCENES.map(PathBuf::from).to_vec() } else { options.scenes.clone() }
 }
 
+/// Studies a scene on each backend.
 fn measure(
     options: &Options,
     path: &Path,
     knobs: &[&Knob],
-    device: &mut Device,
-    fast: &mut Option<Device>,
-) -> Result<Vec<Measured>, Failure> {
+    machines: &mut [Machine],
+) -> Result<Vec<Case>, Failure> {
     let scene = load(options, path)?;
-    let name = scene.name.clone();
-    let mut progress = Progress::new();
-    let mut tell = |done, total| progress.update(&name, done, total);
-    let repetitions = repetitions(options);
-    let study = Study { name: name.clone(), scene: &scene, knobs, repetitions };
-    study::study(&study, device, fast, &mut tell).work()
+    let study = Study { name: scene.name.clone(), scene: &scene, knobs, repetitions: repetitions(options) };
+    let on = |machine: &mut Machine| {
+        let (mut progress, what) = (Progress::new(), told(&study.name, machine));
+        study::study(&study, machine, &mut |done, total| progress.update(&what, done, total)).work()
+    };
+    machines.iter_mut().map(on).collect()
+}
+
+/// A scene on a backend, in words.
+fn told(scene: &str, machine: &Machine) -> String {
+    format!("{scene} on {}", machine.describe())
 }
 
 /// The scene in the size that is asked for.
@@ -135,36 +136,43 @@ fn repetitions(options: &Options) -> usize {
 }
 
 /// Measures what effects cost, and writes effects.jsonl.
-fn effects(options: &Options, device: &mut Device) -> Result<ExitCode, Failure> {
-    let mut lines = Vec::new();
+fn effects(options: &Options, machines: &mut [Machine]) -> Result<ExitCode, Failure> {
+    let mut all = Vec::new();
     for path in paths(options) {
         let scene = load(options, &path)?;
-        let name = scene.name.clone();
         let data = SceneData::new(&scene, Quality::Full).usage()?;
-        let mut progress = Progress::new();
-        let mut tell = |done, total| progress.update(&name, done, total);
-        let costs = study::effects(&name, &data, device, repetitions(options), &mut tell).work()?;
-        drop(progress);
-        println!("{name}");
-        costs.iter().for_each(|cost| println!("{cost}"));
-        lines.extend(costs.iter().map(serde_json::to_string).collect::<Result<Vec<_>, _>>().work()?);
+        for machine in &mut *machines {
+            let (mut progress, what) = (Progress::new(), told(&scene.name, machine));
+            let mut tell = |done, total| progress.update(&what, done, total);
+            let device = machine.device(Profile::Strict);
+            let costs = study::effects(&scene.name, &data, device, repetitions(options), &mut tell).work()?;
+            drop(progress);
+            println!("{what}");
+            costs.iter().for_each(|cost| println!("{cost}"));
+            all.extend(costs);
+        }
     }
-    save(&options.out.join("effects.jsonl"), "--out", &(lines.join("\n") + "\n"))?;
+    save_lines(options, "effects.jsonl", &all)?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// Writes the files, and tells a sentence per scene.
-fn publish(options: &Options, machine: &str, scenes: &[Vec<Measured>]) -> Result<ExitCode, Failure> {
-    let points = || scenes.iter().flatten().map(|measured| &measured.point);
-    let lines = points().map(serde_json::to_string).collect::<Result<Vec<_>, _>>().work()?;
-    save(&options.out.join("study.jsonl"), "--out", &(lines.join("\n") + "\n"))?;
-    save(&options.out.join("study.html"), "--out", &study::page(machine, scenes))?;
-    for scene in scenes {
-        let points: Vec<_> = scene.iter().map(|measured| &measured.point).collect();
-        if let Some(sentence) = study::sentence(&points) {
-            println!("{sentence}");
-        }
-    }
-    println!("Wrote {} points to {}", lines.len(), options.out.display());
+/// Writes an object a line to a file of the folder.
+fn save_lines(options: &Options, name: &str, objects: &[impl Serialize]) -> Result<(), Failure> {
+    let lines = objects.iter().map(|object| Ok(serde_json::to_string(object)? + "\n"));
+    let text: String = lines.collect::<serde_json::Result<_>>().work()?;
+    save(&options.out.join(name), "--out", &text)
+}
+
+/// Writes the files, and tells a sentence per scene and backend, and what strict arithmetic costs there.
+fn publish(options: &Options, machines: &[Machine], cases: &[Case]) -> Result<ExitCode, Failure> {
+    let points: Vec<_> = cases.iter().flat_map(Case::points).collect();
+    let prices: Vec<_> = cases.iter().filter_map(|case| case.strict.as_ref()).collect();
+    let backends: Vec<_> = machines.iter().map(Machine::describe).collect();
+    save_lines(options, "study.jsonl", &points)?;
+    save_lines(options, "strict.jsonl", &prices)?;
+    save(&options.out.join("study.html"), "--out", &study::page(&backends, cases))?;
+    cases.iter().filter_map(|case| study::sentence(&case.points())).for_each(|said| println!("{said}"));
+    prices.iter().for_each(|price| println!("{price}"));
+    println!("Wrote {} points to {}", points.len(), options.out.display());
     Ok(ExitCode::SUCCESS)
 }

@@ -157,10 +157,14 @@ fn unknown(stored: &[Stored], target: &Target<'_>) -> ChoiceError {
 mod tests {
     use super::*;
 
+    fn line_on(backend: &str, settings: &str, milliseconds: f64, flip: f64) -> String {
+        let of = r#""scene":"box","width":10,"height":10,"profile":"strict""#;
+        let found = format!(r#""milliseconds":{milliseconds},"to_truth":{{"flip":{flip}}}"#);
+        format!(r#"{{{of},"backend":"{backend}","settings":"{settings}",{found}}}"#)
+    }
+
     fn line(settings: &str, milliseconds: f64, flip: f64) -> String {
-        format!(
-            r#"{{"scene":"box","width":10,"height":10,"backend":"CPU","profile":"strict","settings":"{settings}","milliseconds":{milliseconds},"to_truth":{{"flip":{flip}}}}}"#
-        )
+        line_on("CPU", settings, milliseconds, flip)
     }
 
     fn study() -> String {
@@ -190,6 +194,19 @@ mod tests {
         assert_eq!(chosen(&TARGET, Some(1000.0), None).unwrap(), "samples=4x4");
         assert_eq!(chosen(&TARGET, None, Some(0.035)).unwrap(), "method=naive");
         assert_eq!(chosen(&TARGET, None, Some(1.0)).unwrap(), "method=atomic verify=edges");
+    }
+
+    #[test]
+    fn what_another_backend_has_shown_does_not_count() {
+        let quick = line_on("GPU", "bvh=quick", 0.1, 0.001);
+        let both = format!("{}\n{quick}", study());
+        let on = |backend: &'static str| {
+            let wish = Wish { budget_ms: Some(7.0), max_error: None };
+            choose(&both, &Target { backend, ..TARGET }, &wish).map(|choice| choice.settings.label())
+        };
+        assert_eq!(on("CPU").unwrap(), "method=atomic verify=edges");
+        assert_eq!(on("GPU").unwrap(), "bvh=quick");
+        assert!(on("TPU").unwrap_err().to_string().contains("box on CPU, strict; box on GPU, strict"));
     }
 
     #[test]

@@ -24,7 +24,7 @@ fn is_faster(point: &Point, naive: &Point) -> bool {
     point.milliseconds < naive.milliseconds - margin
 }
 
-/// A sentence on a scene: what is free, and what the best bargain costs. The first point is the traced pair.
+/// A sentence on a scene on a backend: what is free, and what the best bargain costs. The first point is the traced pair.
 pub fn sentence(points: &[&Point]) -> Option<String> {
     let (naive, others) = points.split_first()?;
     let ratio = |point: &Point| point.milliseconds / naive.milliseconds;
@@ -57,11 +57,11 @@ pub fn sentence(points: &[&Point]) -> Option<String> {
             cost.abs()
         ));
     }
-    Some(format!("For {}, {}.", naive.scene, said.join("; ")))
+    Some(format!("For {} on {}, {}.", naive.scene, naive.backend, said.join("; ")))
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::metrics::ViewError;
     use crate::render::RayTotals;
@@ -80,7 +80,7 @@ mod tests {
     }
 
     /// A point with its time and its errors against the traced pair and the truth.
-    fn point(settings: &str, milliseconds: f64, to_traced: f64, to_truth: f64) -> Point {
+    pub fn point(settings: &str, milliseconds: f64, to_traced: f64, to_truth: f64) -> Point {
         Point {
             scene: "box".into(),
             width: 1,
@@ -116,13 +116,14 @@ mod tests {
         let said = |points: &[Point]| sentence(&points.iter().collect::<Vec<_>>()).unwrap();
         assert_eq!(
             said(&points),
-            "For box, nothing that leaves every pixel as it is saves time; method=atomic saves 45 % and differs visibly in 2.50 % of \
+            "For box on CPU, nothing that leaves every pixel as it is saves time; method=atomic saves 45 % and differs visibly in 2.50 % of \
              the pixels; samples=nine costs 200 % and removes 75 % of the error."
         );
         let mut quicker = points;
         quicker[1].milliseconds = 80.0;
         assert!(
-            said(&quicker).starts_with("For box, bvh=quick changes no pixel and saves 20 % of the time; ")
+            said(&quicker)
+                .starts_with("For box on CPU, bvh=quick changes no pixel and saves 20 % of the time; ")
         );
         assert_eq!(sentence(&[]), None);
     }

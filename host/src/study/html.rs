@@ -1,7 +1,7 @@
 //! A study as one HTML file.
 
 use super::findings::{frontier, sentence};
-use super::{KNOBS, Knob, Measured, Point, scatter};
+use super::{Case, KNOBS, Knob, Measured, Point, StrictPrice, scatter};
 use crate::html::{STYLE, escaped, half_spread, number};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use image::ImageEncoder;
@@ -9,24 +9,39 @@ use image::ImageEncoder;
 /// The page without its content.
 const PAGE: &str = include_str!("page.html");
 
-/// A page that needs nothing but itself. `scenes` are the points of each scene, of which the first is the traced pair.
-pub fn page(machine: &str, scenes: &[Vec<Measured>]) -> String {
-    let sentences: String = scenes
+/// A page that needs nothing but itself, on each scene on each of the `backends`.
+pub fn page(backends: &[String], cases: &[Case]) -> String {
+    let sentences: String = cases
         .iter()
-        .filter_map(|scene| sentence(&points(scene)))
+        .filter_map(|case| sentence(&case.points()))
         .map(|sentence| format!("<li>{}</li>\n", escaped(&sentence)))
         .collect();
+    let prices: String = cases.iter().filter_map(|case| case.strict.as_ref()).map(price_row).collect();
     let knobs: String = KNOBS.iter().map(knob_row).collect();
-    let sections: String = scenes.iter().map(|scene| section(scene)).collect();
+    let sections: String = cases.iter().map(section).collect();
     PAGE.replace("{{style}}", STYLE)
-        .replace("{{machine}}", &escaped(machine))
+        .replace("{{backends}}", &escaped(&backends.join("; ")))
         .replace("{{sentences}}", &sentences)
+        .replace("{{prices}}", &prices)
         .replace("{{knobs}}", &knobs)
         .replace("{{sections}}", &sections)
 }
 
-fn points(scene: &[Measured]) -> Vec<&Point> {
-    scene.iter().map(|measured| &measured.point).collect()
+/// What strict arithmetic costs for a scene on a backend.
+fn price_row(price: &StrictPrice) -> String {
+    let fast = match price.fast_ms {
+        Some(fast) => [
+            format!("{}<small>{}</small>", number(fast), half_spread(price.fast_spread)),
+            format!("{:+.1} %", price.price_percent),
+        ],
+        None => ["the same code".into(), "0, by construction".into()],
+    };
+    let [fast, cost] = fast;
+    let strict = format!("{}<small>{}</small>", number(price.strict_ms), half_spread(price.strict_spread));
+    let (differing, flip) = (number(price.differing_percent), format!("{:.4}", price.flip));
+    let cells = [strict, fast, cost, differing, flip].map(|cell| format!("<td class=\"number\">{cell}</td>"));
+    let (scene, backend) = (escaped(&price.scene), escaped(&price.backend));
+    format!("<tr><td>{scene}</td><td>{backend}</td>{}</tr>\n", cells.concat())
 }
 
 fn knob_row(knob: &Knob) -> String {
@@ -40,8 +55,9 @@ fn knob_row(knob: &Knob) -> String {
     )
 }
 
-fn section(scene: &[Measured]) -> String {
-    let points = points(scene);
+/// The plots and the table of a scene on a backend.
+fn section(case: &Case) -> String {
+    let points = case.points();
     let Some(first) = points.first() else { return String::new() };
     let plots = [
         scatter::svg("Against the traced pair, one ray per pixel", "mean ꟻLIP", &points, |p| {
@@ -50,18 +66,21 @@ fn section(scene: &[Measured]) -> String {
         scatter::svg("Against many rays per pixel", "mean squared error", &points, |p| p.to_truth.view.mse),
     ];
     format!(
-        "<section>\n<h2>{}</h2>\n<div class=\"plots\">\n{}</div>\n{}</section>\n",
+        "<section>\n<h2>{}</h2>\n<p class=\"machine\">{}</p>\n<div class=\"plots\">\n{}</div>\n{}</section>\n",
         escaped(&format!("{} {}×{}", first.scene, first.width, first.height)),
+        escaped(&first.backend),
         plots.concat(),
-        table(scene)
+        table(case)
     )
 }
 
 /// The points from the fastest on; those that no other one beats are bold.
-fn table(scene: &[Measured]) -> String {
-    let Some(naive) = scene.first().map(|measured| measured.point.milliseconds) else { return String::new() };
-    let best = frontier(&points(scene), |point| point.to_traced.flip);
-    let mut sorted: Vec<&Measured> = scene.iter().collect();
+fn table(case: &Case) -> String {
+    let Some(naive) = case.points.first().map(|measured| measured.point.milliseconds) else {
+        return String::new();
+    };
+    let best = frontier(&case.points(), |point| point.to_traced.flip);
+    let mut sorted: Vec<&Measured> = case.points.iter().collect();
     sorted.sort_by(|a, b| a.point.milliseconds.total_cmp(&b.point.milliseconds));
     let is_best = |point: &Point| best.iter().any(|other| std::ptr::eq(*other, point));
     let rows: String =
@@ -115,9 +134,9 @@ fn map(flip: &[f64], width: u32, height: u32) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::backend::{Cpu, Device};
+    use crate::backend::{Choice, Selection};
     use crate::render::Overrides;
-    use crate::study::{Study, study};
+    use crate::study::{Machine, Study, study};
 
     #[test]
     fn a_study_becomes_a_page_that_needs_nothing_else() {
@@ -126,25 +145,27 @@ mod tests {
         Overrides { size: Some([24, 16]), ..Overrides::default() }.apply(&mut scene).unwrap();
         let knobs: Vec<_> = KNOBS.iter().filter(|knob| ["method", "bvh"].contains(&knob.name)).collect();
         let case = Study { name: "a < b".into(), scene: &scene, knobs: &knobs, repetitions: 1 };
-        let mut device = Device::Cpu(Cpu::new(1).unwrap());
+        let one_thread = Selection { backend: Choice::Cpu, threads: 1, ..Selection::default() };
+        let mut machine = Machine::open(&one_thread).unwrap();
         let (mut last, mut total) = (0, 0);
-        let points =
-            study(&case, &mut device, &mut None, &mut |done, of| (last, total) = (done, of)).unwrap();
+        let case = study(&case, &mut machine, &mut |done, of| (last, total) = (done, of)).unwrap();
+        let points = case.points();
         assert_eq!((points.len(), last), (20, total), "ten methods, two structures");
-        for Measured { point, .. } in &points {
+        for point in &points {
             let copies = point.settings.contains("ideal");
             assert!(point.milliseconds > 0.0 && point.rays.all() > 0 && point.scene_bytes > 0);
             assert!(!copies || point.to_traced.flip > 0.0, "{}", point.settings);
             let exact = ["method=naive", "method=guided", "bvh=quick"].contains(&&point.settings[..]);
             assert!(!exact || point.to_traced.view.mse == 0.0, "{}", point.settings);
         }
-        let page = page("one core & a fan", std::slice::from_ref(&points));
+        let page = page(&["one core & a fan".into(), "a card".into()], std::slice::from_ref(&case));
         for outside in ["http:", "https:", "@import", "url(", "<script", "{{", "}}"] {
             assert!(!page.contains(outside), "{outside}");
         }
         assert_eq!(page.matches("<circle").count(), 2 * points.len());
-        assert_eq!(page.matches("<td class=\"number\">").count(), 8 * points.len());
-        assert!(page.contains("a &lt; b") && page.contains("one core &amp; a fan"));
+        assert_eq!(page.matches("<td class=\"number\">").count(), 8 * points.len() + 5);
+        assert!(page.contains("a &lt; b") && page.contains("one core &amp; a fan; a card"));
+        assert!(page.contains("0, by construction"), "what strict arithmetic costs on a CPU");
         assert!(page.contains("src=\"data:image/png;base64,"), "errors of the copied view");
     }
 }

@@ -4,7 +4,7 @@
 //! building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
 
 use super::knob::Knob;
-use super::{Settings, grid};
+use super::{Machine, Settings, StrictPrice, grid};
 use crate::backend::{Backend, Device, Profile};
 use crate::bench::quartiles::quartiles;
 use crate::build::Quality;
@@ -49,7 +49,7 @@ pub struct Distance {
     pub flip_visible_percent: f64,
 }
 
-/// A point of a study.
+/// A point of a study: settings for a scene on a backend.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Point {
     /// Which scene.
@@ -87,35 +87,48 @@ pub struct Measured {
     pub flip: Vec<f64>,
 }
 
-/// Measures all points of a scene on `device`, and those of the fast profile on `fast`, if there is such a device. `progress` is told
-/// how many of how many runs are done.
+/// A scene on a backend.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// All points; the first one is the traced pair.
+    pub points: Vec<Measured>,
+    /// The price of the strict profile, if it was studied.
+    pub strict: Option<StrictPrice>,
+}
+
+impl Case {
+    /// The points without their pictures.
+    pub fn points(&self) -> Vec<&Point> {
+        self.points.iter().map(|measured| &measured.point).collect()
+    }
+}
+
+/// Measures all points of a scene on `machine`, without those of the fast profile where that is the strict one. `progress` is told how
+/// many of how many runs are done.
 ///
 /// # Errors
 /// When the scene cannot be rendered.
 pub fn study(
     study: &Study<'_>,
-    device: &mut Device,
-    fast: &mut Option<Device>,
+    machine: &mut Machine,
     progress: &mut dyn FnMut(u64, u64),
-) -> Result<Vec<Measured>, RenderError> {
+) -> Result<Case, RenderError> {
     let data = SceneData::new(study.scene, Quality::Full)?;
     let points: Vec<_> = grid(&data, study.knobs)
         .into_iter()
-        .filter(|s| s.profile == Profile::Strict || fast.is_some())
+        .filter(|s| s.profile == Profile::Strict || !machine.has_one_arithmetic())
         .collect();
     let scenes = Scenes::new(study.scene, data, &points)?;
     let many = StereoOptions { samples: TRUTH, ..Method::Naive.into() };
-    let (truth, _) = second(device, &scenes.all[0].1, &many)?;
-    let (traced, _) = second(device, &scenes.all[0].1, &Method::Naive.into())?;
+    let strict = machine.device(Profile::Strict);
+    let (truth, _) = second(strict, &scenes.all[0].1, &many)?;
+    let (traced, _) = second(strict, &scenes.all[0].1, &Method::Naive.into())?;
     let mut measured = Vec::new();
     let mut times = vec![Vec::new(); points.len()];
     let total = (points.len() * (study.repetitions + 1)) as u64;
     for round in 0..=study.repetitions {
         for (number, settings) in points.iter().enumerate() {
-            let device = match (settings.profile, fast.as_mut()) {
-                (Profile::Fast, Some(fast)) => fast,
-                _ => &mut *device,
-            };
+            let device = machine.device(settings.profile);
             let data = scenes.of(settings);
             if round == 0 {
                 measured.push(quality(study, device, data, settings, [&traced, &truth])?);
@@ -129,7 +142,9 @@ pub fn study(
         let [low, median, high] = quartiles(times.iter().map(|seconds| 1e3 * seconds));
         (measured.point.milliseconds, measured.point.spread) = (median, high - low);
     }
-    Ok(measured)
+    let mut case = Case { points: measured, strict: None };
+    case.strict = StrictPrice::new(&case.points(), machine.has_one_arithmetic());
+    Ok(case)
 }
 
 /// The scene as each build quality and depth limit has it.
