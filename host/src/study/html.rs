@@ -1,6 +1,6 @@
 //! A study as one HTML file.
 
-use super::findings::{frontier, sentence};
+use super::findings::{ranking, sentence};
 use super::{Case, KNOBS, Knob, Measured, Point, StrictPrice, scatter};
 use crate::html::{STYLE, escaped, half_spread, number};
 use base64::prelude::{BASE64_STANDARD, Engine};
@@ -74,18 +74,15 @@ fn section(case: &Case) -> String {
     )
 }
 
-/// The points from the fastest on; those that no other one beats are bold.
+/// The points by their [`ranking`]; those that no other one beats are bold.
 fn table(case: &Case) -> String {
     let Some(naive) = case.points.first().map(|measured| measured.point.milliseconds) else {
         return String::new();
     };
-    let best = frontier(&case.points(), |point| point.to_traced.flip);
-    let mut sorted: Vec<&Measured> = case.points.iter().collect();
-    sorted.sort_by(|a, b| a.point.milliseconds.total_cmp(&b.point.milliseconds));
-    let is_best = |point: &Point| best.iter().any(|other| std::ptr::eq(*other, point));
+    let ranks = ranking(&case.points());
     let rows: String =
-        sorted.into_iter().map(|measured| row(measured, naive, is_best(&measured.point))).collect();
-    let heads = ["ms", "of naive", "Mrays", "ꟻLIP", "visible %", "MSE", "differ %", "MSE to truth"]
+        ranks.into_iter().map(|(index, is_best)| row(&case.points[index], naive, is_best)).collect();
+    let heads = ["gain", "ms", "of naive", "Mrays", "ꟻLIP", "visible %", "MSE", "differ %", "MSE to truth"]
         .map(|head| format!("<th>{head}</th>"));
     format!(
         "<div class=\"table\"><table>\n<tr><th>settings</th>{}</tr>\n{rows}</table></div>\n",
@@ -104,6 +101,7 @@ fn row(Measured { point, flip }: &Measured, naive: f64, is_best: bool) -> String
         false => String::new(),
     };
     let figures = [
+        format!("{:.2}", point.gain),
         format!("{}<small>{}</small>", number(point.milliseconds), half_spread(point.spread)),
         format!("{:.0} %", 100.0 * point.milliseconds / naive),
         number(point.rays.all() as f64 / 1e6),
@@ -163,7 +161,10 @@ mod tests {
             assert!(!page.contains(outside), "{outside}");
         }
         assert_eq!(page.matches("<circle").count(), 2 * points.len());
-        assert_eq!(page.matches("<td class=\"number\">").count(), 8 * points.len() + 5);
+        assert_eq!(page.matches("<td class=\"number\">").count(), 9 * points.len() + 5);
+        let first = ranking(&points)[0].0;
+        let place = |point: &Point| page.find(&format!("<td>{}<", point.settings)).unwrap();
+        assert!(points.iter().all(|point| place(point) >= place(points[first])), "the best one comes first");
         assert!(page.contains("a &lt; b") && page.contains("one core &amp; a fan; a card"));
         assert!(page.contains("0, by construction"), "what strict arithmetic costs on a CPU");
         assert!(page.contains("src=\"data:image/png;base64,"), "errors of the copied view");

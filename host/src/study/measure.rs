@@ -4,7 +4,7 @@
 //! building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
 
 use super::knob::Knob;
-use super::{Machine, Settings, StrictPrice, grid};
+use super::{Machine, Settings, StrictPrice, gain, grid};
 use crate::backend::{Backend, Device, Profile};
 use crate::bench::quartiles::quartiles;
 use crate::build::Quality;
@@ -68,6 +68,8 @@ pub struct Point {
     pub milliseconds: f64,
     /// Distance of the quartiles.
     pub spread: f64,
+    /// What it gives for its time, over what the traced pair gives: [`gain`](super::gain). In JSON null for +∞.
+    pub gain: f64,
     /// Rays of both views, by kind.
     pub rays: RayTotals,
     /// Bytes of the scene and its structure, as they are uploaded.
@@ -142,6 +144,9 @@ pub fn study(
         let [low, median, high] = quartiles(times.iter().map(|seconds| 1e3 * seconds));
         (measured.point.milliseconds, measured.point.spread) = (median, high - low);
     }
+    if let Some(base) = measured.first().map(|measured| measured.point.clone()) {
+        measured.iter_mut().for_each(|measured| measured.point.gain = gain(&measured.point, &base));
+    }
     let mut case = Case { points: measured, strict: None };
     case.strict = StrictPrice::new(&case.points(), machine.has_one_arithmetic());
     Ok(case)
@@ -215,6 +220,7 @@ fn quality(
         settings: settings.label(),
         milliseconds: 0.0,
         spread: 0.0,
+        gain: 1.0,
         rays,
         scene_bytes: bytes as u64,
         to_traced,

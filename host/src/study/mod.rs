@@ -16,7 +16,7 @@ mod strict;
 
 pub use choose::{Choice, ChoiceError, Target, Wish, choose};
 pub use effects::{Change, EffectCost, effects};
-pub use findings::{frontier, sentence};
+pub use findings::{frontier, gain, ranking, sentence};
 pub use html::page;
 pub use knob::{KNOBS, Knob, Settings, Value, grid};
 pub use machine::Machine;
