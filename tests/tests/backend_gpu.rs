@@ -61,6 +61,28 @@ fn numbers_of(backend: &mut impl Backend, step: u32) -> Result<(Vec<u32>, u32), 
     Ok((backend.read(numbers)?, backend.read(count)?[0]))
 }
 
+/// The most bytes at once: of two buffers, of what is left of them, and of a third one beside that.
+fn peaks(backend: &mut impl Backend) -> Result<[u64; 3], BackendError> {
+    backend.take_peak_bytes();
+    let (three, five) = (backend.upload("three", &[1, 2, 3])?, backend.create::<[f32; 4]>("five", 5)?);
+    let both = backend.take_peak_bytes();
+    backend.release(five);
+    backend.release(five);
+    backend.create::<f32>("nothing", 0)?;
+    let left = [backend.take_peak_bytes(), backend.take_peak_bytes()];
+    assert_eq!(left, [both, 12], "what was there when it was asked, and what is there now");
+    backend.create::<u32>("two", 2)?;
+    backend.release(three);
+    Ok([both, left[1], backend.take_peak_bytes()])
+}
+
+#[test]
+fn the_most_bytes_at_once_are_the_same_on_every_backend() {
+    let expected = [12 + 80, 12, 12 + 8];
+    assert_eq!(peaks(&mut Cpu::new(1).unwrap()).unwrap(), expected);
+    each(|mut gpu| assert_eq!(peaks(&mut gpu).unwrap(), expected));
+}
+
 #[test]
 fn data_comes_back_as_it_was() {
     each(|mut gpu| {

@@ -58,4 +58,8 @@ impl Backend for Device {
     fn max_buffer_bytes(&self) -> u64 {
         each!(self, backend => backend.max_buffer_bytes())
     }
+
+    fn take_peak_bytes(&mut self) -> u64 {
+        each!(self, backend => backend.take_peak_bytes())
+    }
 }

@@ -35,6 +35,7 @@ mod error;
 pub mod gpu;
 mod grid;
 mod selection;
+mod usage;
 
 pub use cpu::Cpu;
 pub use device::Device;
@@ -83,6 +84,11 @@ pub trait Backend {
 
     /// Size in bytes of the largest buffer that a pass can bind.
     fn max_buffer_bytes(&self) -> u64;
+
+    /// The most bytes that buffers have held at once since this was last asked, or at the first time, since the backend was made. Counted
+    /// are the elements of what [`create`](Self::create) and [`upload`](Self::upload) made and [`release`](Self::release) has not given
+    /// back, the same on every backend; a driver may keep more, and keep it longer.
+    fn take_peak_bytes(&mut self) -> u64;
 
     /// Into how many rows at most a picture of `width` × `height` pixels should be cut for this backend: at
     /// least one, at most `height`, a multiple of 8 (the height of a workgroup) where possible.

@@ -4,7 +4,7 @@
 //! the code of all effects; and without each effect that it does call for, which does change the picture. All run in turn in each
 //! repetition, and each time is told over that of the scene as it is, in the same repetition.
 
-use super::measure::time;
+use super::measure::cost;
 use crate::backend::{Backend, Device};
 use crate::bench::quartiles::quartiles;
 use crate::render::{Method, RenderError, SceneData};
@@ -72,7 +72,7 @@ pub fn effects(
     for round in 0..=repetitions {
         for (number, (.., effects)) in variants.iter().enumerate() {
             data.effects = *effects;
-            let seconds = time(device, &data, &Method::Naive.into())?;
+            let seconds = cost(device, &data, &Method::Naive.into())?.seconds;
             if round > 0 {
                 times[number].push(seconds);
             }
@@ -80,7 +80,7 @@ pub fn effects(
         }
     }
     let backend = device.describe();
-    let cost = |((effect, change, _), seconds): (&(&'static str, Change, Effects), &Vec<f64>)| {
+    let told = |((effect, change, _), seconds): (&(&'static str, Change, Effects), &Vec<f64>)| {
         let ratios = seconds.iter().zip(&times[0]).map(|(of, own)| of / own);
         let [_, milliseconds, _] = quartiles(seconds.iter().map(|seconds| 1e3 * seconds));
         let [low, ratio, high] = quartiles(ratios);
@@ -95,7 +95,7 @@ pub fn effects(
             spread: high - low,
         }
     };
-    Ok(variants.iter().zip(&times).map(cost).collect())
+    Ok(variants.iter().zip(&times).map(told).collect())
 }
 
 impl fmt::Display for EffectCost {

@@ -114,6 +114,7 @@ pub(super) mod tests {
             gain: 800.0 / (milliseconds * to_truth),
             rays: RayTotals::default(),
             scene_bytes: 0,
+            peak_bytes: 0,
             to_traced: distance(to_traced),
             to_truth: distance(to_truth),
         }

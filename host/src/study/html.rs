@@ -1,7 +1,7 @@
 //! A study as one HTML file.
 
 use super::findings::{ranking, sentence};
-use super::{Case, KNOBS, Knob, Measured, Point, StrictPrice, scatter};
+use super::{Case, KNOBS, Knob, Measured, StrictPrice, scatter};
 use crate::html::{STYLE, escaped, half_spread, number};
 use base64::prelude::{BASE64_STANDARD, Engine};
 use image::ImageEncoder;
@@ -82,8 +82,9 @@ fn table(case: &Case) -> String {
     let ranks = ranking(&case.points());
     let rows: String =
         ranks.into_iter().map(|(index, is_best)| row(&case.points[index], naive, is_best)).collect();
-    let heads = ["gain", "ms", "of naive", "Mrays", "ꟻLIP", "visible %", "MSE", "differ %", "MSE to truth"]
-        .map(|head| format!("<th>{head}</th>"));
+    let heads =
+        ["gain", "ms", "of naive", "Mrays", "MB", "ꟻLIP", "visible %", "MSE", "differ %", "MSE to truth"]
+            .map(|head| format!("<th>{head}</th>"));
     format!(
         "<div class=\"table\"><table>\n<tr><th>settings</th>{}</tr>\n{rows}</table></div>\n",
         heads.concat()
@@ -105,6 +106,7 @@ fn row(Measured { point, flip }: &Measured, naive: f64, is_best: bool) -> String
         format!("{}<small>{}</small>", number(point.milliseconds), half_spread(point.spread)),
         format!("{:.0} %", 100.0 * point.milliseconds / naive),
         number(point.rays.all() as f64 / 1e6),
+        number(point.peak_bytes as f64 / 1e6),
         format!("{:.4}", point.to_traced.flip),
         number(point.to_traced.flip_visible_percent),
         number(point.to_traced.view.mse),
@@ -134,7 +136,7 @@ mod tests {
     use super::*;
     use crate::backend::{Choice, Selection};
     use crate::render::Overrides;
-    use crate::study::{Machine, Study, study};
+    use crate::study::{Machine, Point, Study, study};
 
     #[test]
     fn a_study_becomes_a_page_that_needs_nothing_else() {
@@ -152,6 +154,7 @@ mod tests {
         for point in &points {
             let copies = point.settings.contains("ideal");
             assert!(point.milliseconds > 0.0 && point.rays.all() > 0 && point.scene_bytes > 0);
+            assert!(point.peak_bytes > point.scene_bytes, "buffers of pixels come on top of the scene");
             assert!(!copies || point.to_traced.flip > 0.0, "{}", point.settings);
             let exact = ["method=naive", "method=guided", "bvh=quick"].contains(&&point.settings[..]);
             assert!(!exact || point.to_traced.view.mse == 0.0, "{}", point.settings);
@@ -161,7 +164,7 @@ mod tests {
             assert!(!page.contains(outside), "{outside}");
         }
         assert_eq!(page.matches("<circle").count(), 2 * points.len());
-        assert_eq!(page.matches("<td class=\"number\">").count(), 9 * points.len() + 5);
+        assert_eq!(page.matches("<td class=\"number\">").count(), 10 * points.len() + 5);
         let first = ranking(&points)[0].0;
         let place = |point: &Point| page.find(&format!("<td>{}<", point.settings)).unwrap();
         assert!(points.iter().all(|point| place(point) >= place(points[first])), "the best one comes first");

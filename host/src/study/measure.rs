@@ -74,6 +74,8 @@ pub struct Point {
     pub rays: RayTotals,
     /// Bytes of the scene and its structure, as they are uploaded.
     pub scene_bytes: u64,
+    /// Most bytes of buffers on the backend at once: the scene, and what the passes of both views of a band write.
+    pub peak_bytes: u64,
     /// Against the traced pair with one ray per pixel.
     pub to_traced: Distance,
     /// Against the traced pair with many rays per pixel.
@@ -135,7 +137,9 @@ pub fn study(
             if round == 0 {
                 measured.push(quality(study, device, data, settings, [&traced, &truth])?);
             } else {
-                times[number].push(time(device, data, &settings.stereo)?);
+                let cost = cost(device, data, &settings.stereo)?;
+                times[number].push(cost.seconds);
+                measured[number].point.peak_bytes = cost.peak_bytes;
             }
             progress((round * points.len() + number + 1) as u64, total);
         }
@@ -223,6 +227,7 @@ fn quality(
         gain: 1.0,
         rays,
         scene_bytes: bytes as u64,
+        peak_bytes: 0,
         to_traced,
         to_truth,
     };
@@ -242,12 +247,21 @@ fn distance(shown: &Picture, truth: &Picture) -> (Distance, Vec<f64>) {
     (distance, flip)
 }
 
-/// Seconds of the passes of both views.
-pub(super) fn time(
+/// What the passes of both views take.
+pub(super) struct Cost {
+    pub seconds: f64,
+    /// Most bytes of buffers at once, the scene included.
+    pub peak_bytes: u64,
+}
+
+/// Runs the passes of both views; nothing is read back, and buffers are those that this needs.
+pub(super) fn cost(
     device: &mut Device,
     data: &SceneData,
     options: &StereoOptions,
-) -> Result<f64, RenderError> {
+) -> Result<Cost, RenderError> {
+    // What others have held until now does not count.
+    device.take_peak_bytes();
     let plan = Plan::new(data, options, false)?;
     let mut renderer = Renderer::new(device, data)?;
     let rows = renderer.suggested_rows(&plan);
@@ -258,5 +272,6 @@ pub(super) fn time(
         seconds += times.iter().filter(|time| time.view.is_some()).map(|time| time.seconds).sum::<f64>();
         renderer.release(buffers);
     }
-    Ok(seconds)
+    drop(renderer);
+    Ok(Cost { seconds, peak_bytes: device.take_peak_bytes() })
 }

@@ -5,6 +5,7 @@ pub(crate) mod memory;
 
 use crate::backend::arguments::Arguments;
 use crate::backend::grid::Grid;
+use crate::backend::usage::Usage;
 use crate::backend::{Backend, BackendError, check_handle, new_owner};
 use bytemuck::Pod;
 use instruction_set::{InstructionSet, Task};
@@ -26,6 +27,7 @@ pub struct Cpu {
     owner: u32,
     next_id: u32,
     buffers: BTreeMap<u32, Storage>,
+    usage: Usage,
     pool: rayon::ThreadPool,
     instruction_set: InstructionSet,
 }
@@ -43,7 +45,14 @@ impl Cpu {
     ) -> Result<Self, BackendError> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| BackendError::Threads { threads, message: error.to_string() })?;
-        Ok(Self { owner: new_owner(), next_id: 0, buffers: BTreeMap::new(), pool, instruction_set })
+        Ok(Self {
+            owner: new_owner(),
+            next_id: 0,
+            buffers: BTreeMap::new(),
+            usage: Usage::default(),
+            pool,
+            instruction_set,
+        })
     }
 
     /// Number of threads.
@@ -73,8 +82,10 @@ impl Cpu {
             place: "the CPU".into(),
             what: format!("buffer `{label}` of {len} × {} bytes", size_of::<T>()),
         };
+        let storage = storage.ok_or_else(out_of_memory)?;
         self.next_id += 1;
-        self.buffers.insert(self.next_id, storage.ok_or_else(out_of_memory)?);
+        self.usage.add(storage.bytes().len() as u64);
+        self.buffers.insert(self.next_id, storage);
         Ok(Buffer::new(self.owner, self.next_id, count))
     }
 }
@@ -99,8 +110,10 @@ impl Backend for Cpu {
     }
 
     fn release<T: Pod>(&mut self, buffer: Buffer<T>) {
-        if buffer.owner == self.owner {
-            self.buffers.remove(&buffer.id);
+        if buffer.owner == self.owner
+            && let Some(storage) = self.buffers.remove(&buffer.id)
+        {
+            self.usage.remove(storage.bytes().len() as u64);
         }
     }
 
@@ -125,6 +138,10 @@ impl Backend for Cpu {
 
     fn max_buffer_bytes(&self) -> u64 {
         isize::MAX as u64
+    }
+
+    fn take_peak_bytes(&mut self) -> u64 {
+        self.usage.take_peak()
     }
 }
 

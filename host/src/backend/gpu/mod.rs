@@ -21,6 +21,7 @@ pub use spirv::SpirvError;
 
 use crate::backend::arguments::Arguments;
 use crate::backend::grid::Grid;
+use crate::backend::usage::Usage;
 use crate::backend::{Backend, BackendError, Profile, check_handle, new_owner};
 use bytemuck::Pod;
 use connection::Connection;
@@ -53,6 +54,7 @@ pub struct Gpu {
     modules: Modules,
     pipelines: HashMap<Variant, Pipeline>,
     buffers: BTreeMap<u32, DeviceBuffer>,
+    usage: Usage,
     poison: Poison,
     recording: Option<wgpu::CommandEncoder>,
     recorded: u64,
@@ -83,6 +85,7 @@ impl Gpu {
             modules: Modules::embedded(profile),
             pipelines: HashMap::new(),
             buffers: BTreeMap::new(),
+            usage: Usage::default(),
             poison,
             recording: None,
             recorded: 0,
@@ -157,6 +160,7 @@ impl Gpu {
 
     fn insert<T: Pod>(&mut self, buffer: DeviceBuffer, count: u32) -> Buffer<T> {
         self.next_id += 1;
+        self.usage.add(buffer.bytes);
         self.buffers.insert(self.next_id, buffer);
         Buffer::new(self.owner, self.next_id, count)
     }
@@ -228,8 +232,10 @@ impl Backend for Gpu {
     }
 
     fn release<T: Pod>(&mut self, buffer: Buffer<T>) {
-        if buffer.owner == self.owner {
-            self.buffers.remove(&buffer.id);
+        if buffer.owner == self.owner
+            && let Some(stored) = self.buffers.remove(&buffer.id)
+        {
+            self.usage.remove(stored.bytes);
         }
     }
 
@@ -265,5 +271,9 @@ impl Backend for Gpu {
 
     fn max_buffer_bytes(&self) -> u64 {
         self.connection.max_buffer_bytes()
+    }
+
+    fn take_peak_bytes(&mut self) -> u64 {
+        self.usage.take_peak()
     }
 }
