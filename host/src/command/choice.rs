@@ -8,8 +8,8 @@ use parallax::study::{self, Choice, Settings, Target, Wish};
 use std::path::PathBuf;
 
 /// What a study chooses instead of the user.
-const CHOSEN: [&str; 8] =
-    ["method", "verify", "shadows", "first", "depth", "reflections", "samples", "frames"];
+const CHOSEN: [&str; 9] =
+    ["method", "verify", "shadows", "first", "depth", "reflections", "samples", "tolerance", "frames"];
 
 /// By what a study chooses.
 #[derive(clap::Args)]

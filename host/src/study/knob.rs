@@ -3,8 +3,9 @@
 use crate::backend::Profile;
 use crate::build::Quality;
 use crate::render::sampling::TOLERANCE;
-use crate::render::{Method, Reflections, Samples, SceneData, Shadows, StereoOptions, Verify};
+use crate::render::{Depth, First, Method, Reflections, Samples, SceneData, Shadows, StereoOptions, Verify};
 use parallax_shared::effects::Effects;
+use std::num::NonZeroU32;
 
 /// Everything that can be chosen of how a scene is rendered.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +28,8 @@ pub struct Knob {
     pub family: &'static str,
     /// What it should do.
     pub about: &'static str,
+    /// From which settings it is turned by itself: some that can have all of its values.
+    pub bases: &'static [fn() -> Settings],
     /// What it can be set to; the first value is the most accurate one.
     pub values: &'static [Value],
 }
@@ -42,16 +45,37 @@ const fn value(name: &'static str, set: fn(&mut Settings)) -> Value {
     Value { name, set }
 }
 
-const fn adaptive(levels: u32) -> Samples {
-    Samples::Adaptive { levels, tolerance: TOLERANCE }
+/// Sets so many levels of adaptive sampling; the tolerance stays, if there is one.
+fn adapt(settings: &mut Settings, levels: u32) {
+    let tolerance = match settings.stereo.samples {
+        Samples::Adaptive { tolerance, .. } => tolerance,
+        _ => TOLERANCE,
+    };
+    settings.stereo.samples = Samples::Adaptive { levels, tolerance };
 }
 
-/// All knobs.
+/// Sets the tolerance of adaptive sampling; does nothing to other sampling.
+fn tolerate(settings: &mut Settings, difference: f32) {
+    if let Samples::Adaptive { tolerance, .. } = &mut settings.stereo.samples {
+        *tolerance = difference;
+    }
+}
+
+/// One slot per pixel and so many `more`.
+const fn slots(more: u32) -> Depth {
+    Depth::Fixed(NonZeroU32::MIN.saturating_add(more))
+}
+
+/// The bases of knobs that all settings have.
+pub(super) const USUAL: &[fn() -> Settings] = &[Settings::default, Settings::reusing];
+
+/// All knobs. One whose values change nothing but those of another one comes after it.
 pub const KNOBS: &[Knob] = &[
     Knob {
         name: "method",
         family: "second view",
         about: "how the second view is made; all but naive and guided reuse points of the first",
+        bases: USUAL,
         values: &[
             value("naive", |s| s.stereo.method = Method::Naive),
             value("guided", |s| s.stereo.method = Method::Guided),
@@ -69,6 +93,7 @@ pub const KNOBS: &[Knob] = &[
         name: "verify",
         family: "second view",
         about: "which reprojected points a short ray checks",
+        bases: USUAL,
         values: &[
             value("all", |s| s.stereo.verify = Some(Verify::All)),
             value("edges", |s| s.stereo.verify = Some(Verify::Edges)),
@@ -76,9 +101,32 @@ pub const KNOBS: &[Knob] = &[
         ],
     },
     Knob {
+        name: "first",
+        family: "second view",
+        about: "which view is traced; the other one is made from it",
+        bases: USUAL,
+        values: &[
+            value("left", |s| s.stereo.first = First::Left),
+            value("right", |s| s.stereo.first = First::Right),
+        ],
+    },
+    Knob {
+        name: "slots",
+        family: "second view",
+        about: "slots per pixel of the method buffer; of points that share one the nearest stays",
+        bases: &[Settings::buffering],
+        values: &[
+            value("lemma", |s| s.stereo.depth = Depth::Lemma),
+            value("adaptive", |s| s.stereo.depth = Depth::Adaptive),
+            value("4", |s| s.stereo.depth = slots(3)),
+            value("1", |s| s.stereo.depth = slots(0)),
+        ],
+    },
+    Knob {
         name: "shadows",
         family: "second view",
         about: "whether the second view has shadow rays of its own",
+        bases: USUAL,
         values: &[
             value("trace", |s| s.stereo.shadows = Shadows::Trace),
             value("prove", |s| s.stereo.shadows = Shadows::Prove),
@@ -89,6 +137,7 @@ pub const KNOBS: &[Knob] = &[
         name: "reflections",
         family: "second view",
         about: "up to which angle between the eyes' rays reflections are reused",
+        bases: USUAL,
         values: &[
             value("trace", |s| s.stereo.reflections = Reflections::Trace),
             value("0.5", |s| s.stereo.reflections = Reflections::Within(0.5)),
@@ -99,19 +148,32 @@ pub const KNOBS: &[Knob] = &[
         name: "samples",
         family: "anti-aliasing",
         about: "rays per pixel",
+        bases: USUAL,
         values: &[
             value("4x4", |s| s.stereo.samples = Samples::Jittered(4)),
             value("nine", |s| s.stereo.samples = Samples::Nine),
             value("2x2", |s| s.stereo.samples = Samples::Jittered(2)),
-            value("adaptive-2", |s| s.stereo.samples = adaptive(2)),
-            value("adaptive-1", |s| s.stereo.samples = adaptive(1)),
+            value("adaptive-2", |s| adapt(s, 2)),
+            value("adaptive-1", |s| adapt(s, 1)),
             value("1", |s| s.stereo.samples = Samples::One),
+        ],
+    },
+    Knob {
+        name: "tolerance",
+        family: "anti-aliasing",
+        about: "by how much colours differ that ask for more rays of adaptive sampling",
+        bases: &[Settings::adapting],
+        values: &[
+            value("1/64", |s| tolerate(s, 1.0 / 64.0)),
+            value("1/16", |s| tolerate(s, TOLERANCE)),
+            value("1/4", |s| tolerate(s, 1.0 / 4.0)),
         ],
     },
     Knob {
         name: "profile",
         family: "arithmetic",
         about: "correctly rounded division and square root without contraction, or the driver's own; one and the same on a CPU",
+        bases: USUAL,
         values: &[
             value("strict", |s| s.profile = Profile::Strict),
             value("fast", |s| s.profile = Profile::Fast),
@@ -121,6 +183,7 @@ pub const KNOBS: &[Knob] = &[
         name: "bvh",
         family: "acceleration structure",
         about: "build quality: changes time and never a bit of the picture",
+        bases: USUAL,
         values: &[
             value("full", |s| s.quality = Quality::Full),
             value("quick", |s| s.quality = Quality::Quick),
@@ -130,6 +193,7 @@ pub const KNOBS: &[Knob] = &[
         name: "depth",
         family: "light transport",
         about: "levels of reflection and refraction",
+        bases: USUAL,
         values: &[
             value("scene", |s| s.max_depth = None),
             value("2", |s| s.max_depth = Some(2)),
@@ -158,6 +222,19 @@ impl Settings {
         Self { stereo, ..Self::default() }
     }
 
+    /// The same with a slot for each point that may land on a pixel.
+    pub fn buffering() -> Self {
+        let stereo = StereoOptions { method: Method::Buffer, ..Self::reusing().stereo };
+        Self { stereo, ..Self::default() }
+    }
+
+    /// More rays where they are needed.
+    pub fn adapting() -> Self {
+        let mut settings = Self::default();
+        adapt(&mut settings, 2);
+        settings
+    }
+
     /// The exact second view that costs least.
     pub fn proving() -> Self {
         let stereo = StereoOptions { shadows: Shadows::Prove, ..Method::Guided.into() };
@@ -165,24 +242,27 @@ impl Settings {
     }
 
     /// Whether the scene has what the settings differ in from the default, and the library can do it.
-    fn is_of_use(&self, data: &SceneData) -> bool {
+    pub(super) fn is_of_use(&self, data: &SceneData) -> bool {
         let bounces = data.effects.has(Effects::REFLECTION) && data.info.max_depth > 0;
+        let reused = self.stereo.first == First::Left || self.stereo.method.reuses();
+        // Who traces both views has the second one's own shadows.
+        let shadows = self.stereo.shadows != Shadows::Trace || self.stereo.method.reuses();
         let turned = self.stereo.reflections != Reflections::Trace || self.max_depth.is_some();
         let shallower = self.max_depth.is_none_or(|depth| depth < data.info.max_depth);
-        self.stereo.check().is_ok() && shallower && (bounces || !turned)
+        self.stereo.check().is_ok() && reused && shadows && shallower && (bounces || !turned)
     }
 
-    /// The knobs that are not as in [`Settings::default`], as `name=value`.
+    /// The knobs that have to be turned to come here from [`Settings::default`], as `name=value`.
     pub fn label(&self) -> String {
-        let plain = Self::default();
-        let named = KNOBS.iter().filter_map(|knob| {
-            let of = |settings: &Self| {
-                knob.values.iter().find(|value| settings.with(value) == *settings).map(|value| value.name)
-            };
-            of(self).filter(|value| of(&plain) != Some(value)).map(|value| format!("{}={value}", knob.name))
-        });
-        let label = named.collect::<Vec<_>>().join(" ");
-        if label.is_empty() { "method=naive".into() } else { label }
+        let (mut told, mut names) = (Self::default(), Vec::new());
+        for knob in KNOBS {
+            let own = knob.values.iter().find(|value| self.with(value) == *self);
+            if let Some(value) = own.filter(|value| told.with(value) != told) {
+                told = told.with(value);
+                names.push(format!("{}={}", knob.name, value.name));
+            }
+        }
+        if names.is_empty() { "method=naive".into() } else { names.join(" ") }
     }
 
     /// The settings of a [`label`](Self::label); none if it names a knob or a value that there is not.
@@ -203,43 +283,9 @@ impl Settings {
     }
 }
 
-/// The settings of a study: from the traced pair and from the usual reprojection, each knob by itself is set to each of its values; of
-/// `knobs`, if there are any, all combinations. What makes no sense for the scene is left out.
-pub fn grid(data: &SceneData, knobs: &[&Knob]) -> Vec<Settings> {
-    let bases = [Settings::default(), Settings::reusing()];
-    let mut all = bases.to_vec();
-    if knobs.is_empty() {
-        let alone =
-            |base: Settings| KNOBS.iter().flat_map(|knob| knob.values).map(move |value| base.with(value));
-        all.extend(bases.into_iter().flat_map(alone));
-        all.push(Settings::proving());
-    } else {
-        all.truncate(1);
-        for knob in knobs {
-            all = all
-                .iter()
-                .flat_map(|settings| knob.values.iter().map(|value| settings.with(value)))
-                .collect();
-        }
-        all.insert(0, Settings::default());
-    }
-    let mut kept: Vec<Settings> = Vec::new();
-    for settings in all {
-        if settings.is_of_use(data) && !kept.contains(&settings) {
-            kept.push(settings);
-        }
-    }
-    kept
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn data(name: &str) -> SceneData {
-        let path = format!("{}/../scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"));
-        SceneData::new(&crate::scene::load(path.as_ref()).unwrap(), Quality::Quick).unwrap()
-    }
 
     #[test]
     fn labels_name_what_is_not_as_usual() {
@@ -247,39 +293,5 @@ mod tests {
         assert_eq!(Settings::reusing().label(), "method=atomic verify=edges");
         let quick = Settings { quality: Quality::Quick, max_depth: Some(1), ..Settings::reusing() };
         assert_eq!(quick.label(), "method=atomic verify=edges bvh=quick depth=1");
-    }
-
-    #[test]
-    fn every_value_is_tried_where_it_can_matter() {
-        let labels: Vec<_> = grid(&data("whitted"), &[]).iter().map(Settings::label).collect();
-        let missing = |name: &str| !labels.iter().any(|label| label.contains(name));
-        for knob in KNOBS {
-            // The scene's own depth is left out: the default.
-            for value in knob.values.iter().filter(|value| value.name != "scene") {
-                let setting = format!("{}={}", knob.name, value.name);
-                let default = Settings::default().with(value) == Settings::default();
-                let deep = setting == "depth=2";
-                assert!(default || deep || !missing(&setting), "{setting}: {labels:?}");
-            }
-        }
-        assert!(!grid(&data("cornell"), &[]).iter().any(|s| s.max_depth.is_some()), "nothing reflects there");
-    }
-
-    #[test]
-    fn labels_say_all_there_is_to_settings() {
-        for name in ["whitted", "cornell"] {
-            for settings in grid(&data(name), &[]) {
-                assert_eq!(Settings::parse(&settings.label()), Some(settings), "{}", settings.label());
-            }
-        }
-        for wrong in ["method", "method=magic", "magic=naive", "=", "method=naive,"] {
-            assert_eq!(Settings::parse(wrong), None, "{wrong}");
-        }
-    }
-
-    #[test]
-    fn named_knobs_are_combined() {
-        let knobs: Vec<_> = KNOBS.iter().filter(|knob| ["bvh", "profile"].contains(&knob.name)).collect();
-        assert_eq!(grid(&data("cornell"), &knobs).len(), 4);
     }
 }

@@ -125,8 +125,8 @@ pub fn study(
     let scenes = Scenes::new(study.scene, data, &points)?;
     let many = StereoOptions { samples: TRUTH, ..Method::Naive.into() };
     let strict = machine.device(Profile::Strict);
-    let (truth, _) = second(strict, &scenes.all[0].1, &many)?;
-    let (traced, _) = second(strict, &scenes.all[0].1, &Method::Naive.into())?;
+    let truth = both(strict, &scenes.all[0].1, &many)?;
+    let traced = both(strict, &scenes.all[0].1, &Method::Naive.into())?;
     let mut measured = Vec::new();
     let mut times = vec![Vec::new(); points.len()];
     let total = (points.len() * (study.repetitions + 1)) as u64;
@@ -188,17 +188,17 @@ struct Picture {
     perceived: Perceived,
 }
 
-/// The second view and the rays of both.
-fn second(
-    device: &mut Device,
-    data: &SceneData,
-    options: &StereoOptions,
-) -> Result<(Picture, RayTotals), RenderError> {
-    let mut frame = render(device, data, options, &mut |_, _| {})?;
-    let [_, second] = options.first.eyes();
-    let view = std::mem::take(&mut frame.images.views[second]);
-    let perceived = Perceived::new(&srgb8(&view.colour), frame.images.width as usize);
-    Ok((Picture { view, perceived }, frame.rays))
+impl Picture {
+    fn new(view: ViewImages, width: u32) -> Self {
+        let perceived = Perceived::new(&srgb8(&view.colour), width as usize);
+        Self { view, perceived }
+    }
+}
+
+/// Both views: of a truth, as either can be the one that a method makes from the other.
+fn both(device: &mut Device, data: &SceneData, options: &StereoOptions) -> Result<[Picture; 2], RenderError> {
+    let images = render(device, data, options, &mut |_, _| {})?.images;
+    Ok(images.views.map(|view| Picture::new(view, images.width)))
 }
 
 fn quality(
@@ -206,11 +206,13 @@ fn quality(
     device: &mut Device,
     data: &SceneData,
     settings: &Settings,
-    [traced, truth]: [&Picture; 2],
+    [traced, truth]: [&[Picture; 2]; 2],
 ) -> Result<Measured, RenderError> {
-    let (shown, rays) = second(device, data, &settings.stereo)?;
-    let (to_traced, flip) = distance(&shown, traced);
-    let (to_truth, _) = distance(&shown, truth);
+    let mut frame = render(device, data, &settings.stereo, &mut |_, _| {})?;
+    let [_, second] = settings.stereo.first.eyes();
+    let shown = Picture::new(std::mem::take(&mut frame.images.views[second]), frame.images.width);
+    let (to_traced, flip) = distance(&shown, &traced[second]);
+    let (to_truth, _) = distance(&shown, &truth[second]);
     let bytes = size_of_val(&data.rows[..])
         + size_of_val(&data.triangles[..])
         + size_of_val(&data.records[..])
@@ -225,7 +227,7 @@ fn quality(
         milliseconds: 0.0,
         spread: 0.0,
         gain: 1.0,
-        rays,
+        rays: frame.rays,
         scene_bytes: bytes as u64,
         peak_bytes: 0,
         to_traced,

@@ -7,6 +7,7 @@
 mod choose;
 mod effects;
 mod findings;
+mod grid;
 mod html;
 mod knob;
 mod machine;
@@ -17,8 +18,9 @@ mod strict;
 pub use choose::{Choice, ChoiceError, Target, Wish, choose};
 pub use effects::{Change, EffectCost, effects};
 pub use findings::{frontier, gain, ranking, sentence};
+pub use grid::grid;
 pub use html::page;
-pub use knob::{KNOBS, Knob, Settings, Value, grid};
+pub use knob::{KNOBS, Knob, Settings, Value};
 pub use machine::Machine;
 pub use measure::{Case, Measured, Point, Study, study};
 pub use strict::StrictPrice;
