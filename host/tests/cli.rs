@@ -25,7 +25,17 @@ struct Run {
 
 /// Runs the command with `arguments` in `folder`.
 fn parallax(folder: &Path, arguments: &[&str]) -> Run {
+    told(Command::new(env!("CARGO_BIN_EXE_parallax")), folder, arguments)
+}
+
+/// The same without the models that scenes may name.
+fn parallax_without_models(folder: &Path, arguments: &[&str]) -> Run {
     let mut command = Command::new(env!("CARGO_BIN_EXE_parallax"));
+    command.env("PARALLAX_MODELS", folder.join("nowhere"));
+    told(command, folder, arguments)
+}
+
+fn told(mut command: Command, folder: &Path, arguments: &[&str]) -> Run {
     let Output { status, stdout, stderr } = command.args(arguments).current_dir(folder).output().unwrap();
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
     Run { code: status.code().expect("no signal"), stdout: text(stdout), stderr: text(stderr) }
@@ -222,6 +232,71 @@ fn second_views_are_measured_by_every_method() {
     }
     assert!(costs.iter().all(|line| line["value"].as_f64().is_some_and(|cost| cost > 0.0)));
     assert!(lines.iter().any(|line| line["metric"] == "mse" && line["bench"] == "stereo"));
+}
+
+#[test]
+fn a_study_tells_each_backend_by_itself() {
+    let folder = folder();
+    let study = ["study", "model.obj", "--knob", "method,profile", "--size", "16x12", "--repetitions", "1"];
+    let run = parallax(folder.path(), &[&study[..], &["--backend", "cpu,cpu", "--threads", "1"]].concat());
+    assert_eq!(run.code, 0, "{}", run.stderr);
+    let file = |name: &str| std::fs::read_to_string(folder.path().join("study").join(name)).unwrap();
+    let points: Vec<_> = file("study.jsonl").lines().map(json).collect();
+    assert_eq!(points.len(), 10, "methods, once on a backend that is named twice");
+    for point in &points {
+        assert!(
+            point["backend"].as_str().unwrap().starts_with("CPU (") && point["gain"].as_f64() > Some(0.0)
+        );
+        assert!(point["peak_bytes"].as_u64() > point["scene_bytes"].as_u64(), "{point}");
+    }
+    let prices: Vec<_> = file("strict.jsonl").lines().map(json).collect();
+    assert_eq!(
+        (prices.len(), &prices[0]["same_code"], &prices[0]["fast_ms"]),
+        (1, &true.into(), &Value::Null)
+    );
+    assert!(
+        run.stdout.contains("For model on CPU (") && run.stdout.contains("so it costs nothing"),
+        "{}",
+        run.stdout
+    );
+    assert!(file("study.html").contains("0, by construction"));
+
+    let chosen = parallax(
+        folder.path(),
+        &["render", "model.obj", "--budget-ms", "1e9", "--backend", "cpu", "--threads", "1"],
+    );
+    assert!(chosen.code == 0 && chosen.stderr.contains("chosen: "), "{}", chosen.stderr);
+    let of_another = ["render", "model.obj", "--budget-ms", "1e9", "--backend", "cpu", "--threads", "2"];
+    assert_refused(
+        &parallax(folder.path(), &of_another),
+        2,
+        "the study has nothing of the scene `model` on CPU (",
+    );
+    let both = ["--tolerance", "0.1", "--samples", "adaptive-1"];
+    assert_refused(&parallax(folder.path(), &[&of_another[..], &both].concat()), 2, "cannot be used with");
+    assert_refused(
+        &parallax(folder.path(), &[&study[..], &["--backend", "cpu,tpu"]].concat()),
+        2,
+        "auto, cpu, gpu",
+    );
+}
+
+#[test]
+fn default_scenes_without_their_models_are_left_out() {
+    let folder = folder();
+    for study in [&["study", "--effects"][..], &["study", "--knob", "bvh"]] {
+        let small = ["--size", "8x6", "--repetitions", "1", "--backend", "cpu"];
+        let run = parallax_without_models(folder.path(), &[study, &small[..]].concat());
+        assert_eq!(run.code, 0, "{}", run.stderr);
+        assert!(
+            run.stderr.contains("warning: left out: ") && run.stderr.contains("dragon"),
+            "{}",
+            run.stderr
+        );
+        assert!(run.stdout.contains("cornell") && !run.stdout.contains("dragon"), "{}", run.stdout);
+        let named = parallax_without_models(folder.path(), &[study, &small[..], &["dragon"]].concat());
+        assert_refused(&named, 2, "dragon");
+    }
 }
 
 #[test]

@@ -75,19 +75,30 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
         return effects(options, &mut machines);
     }
     let mut cases = Vec::new();
-    for path in paths(options) {
-        match measure(options, &path, &knobs, &mut machines) {
-            Ok(of_scene) => cases.extend(of_scene),
-            Err(Failure::Usage(error)) if options.scenes.is_empty() => {
-                warn(&[format!("left out: {error:#}")]);
-            }
-            Err(failure) => return Err(failure),
-        }
+    for scene in scenes(options) {
+        cases.extend(measure(options, &scene?, &knobs, &mut machines)?);
     }
-    if cases.is_empty() {
-        return Err(anyhow!("nothing was studied: all scenes are left out")).usage();
-    }
+    require(&cases)?;
     publish(options, &machines, &cases)
+}
+
+/// The scenes that are asked for, one after the other. Of those that nobody named, one that cannot be had is left out with a warning.
+fn scenes(options: &Options) -> impl Iterator<Item = Result<Scene, Failure>> {
+    paths(options).into_iter().filter_map(|path| match load(options, &path) {
+        Err(Failure::Usage(error)) if options.scenes.is_empty() => {
+            warn(&[format!("left out: {error:#}")]);
+            None
+        }
+        loaded => Some(loaded),
+    })
+}
+
+/// Fails if all scenes were left out.
+fn require<T>(found: &[T]) -> Result<(), Failure> {
+    match found.is_empty() {
+        true => Err(anyhow!("nothing was studied: all scenes are left out")).usage(),
+        false => Ok(()),
+    }
 }
 
 fn knob(name: &str) -> anyhow::Result<&'static Knob> {
@@ -105,12 +116,11 @@ fn paths(options: &Options) -> Vec<PathBuf> {
 /// Studies a scene on each backend.
 fn measure(
     options: &Options,
-    path: &Path,
+    scene: &Scene,
     knobs: &[&Knob],
     machines: &mut [Machine],
 ) -> Result<Vec<Case>, Failure> {
-    let scene = load(options, path)?;
-    let study = Study { name: scene.name.clone(), scene: &scene, knobs, repetitions: repetitions(options) };
+    let study = Study { name: scene.name.clone(), scene, knobs, repetitions: repetitions(options) };
     let on = |machine: &mut Machine| {
         let (mut progress, what) = (Progress::new(), told(&study.name, machine));
         study::study(&study, machine, &mut |done, total| progress.update(&what, done, total)).work()
@@ -138,8 +148,8 @@ fn repetitions(options: &Options) -> usize {
 /// Measures what effects cost, and writes effects.jsonl.
 fn effects(options: &Options, machines: &mut [Machine]) -> Result<ExitCode, Failure> {
     let mut all = Vec::new();
-    for path in paths(options) {
-        let scene = load(options, &path)?;
+    for scene in scenes(options) {
+        let scene = scene?;
         let data = SceneData::new(&scene, Quality::Full).usage()?;
         for machine in &mut *machines {
             let (mut progress, what) = (Progress::new(), told(&scene.name, machine));
@@ -152,6 +162,7 @@ fn effects(options: &Options, machines: &mut [Machine]) -> Result<ExitCode, Fail
             all.extend(costs);
         }
     }
+    require(&all)?;
     save_lines(options, "effects.jsonl", &all)?;
     Ok(ExitCode::SUCCESS)
 }
