@@ -28,8 +28,8 @@ pub fn psnr(mse: f64) -> f64 {
     10.0 * (255.0 * 255.0 / mse).log10()
 }
 
-/// Relative mean squared error of linear colours: Σ‖c − c̄‖² / (3 · pixels · (ȳ² + 0.01)) with the truth's mean component ȳ of each pixel, so
-/// that an error in the dark counts as one in the light does. 0 without pixels.
+/// Relative mean squared error of linear colours: Σ‖c − c̄‖² / (3 · pixels · (ȳ² + 0.01)) with the truth's mean component ȳ of each
+/// pixel, so that an error in the dark counts as one in the light does. 0 without pixels.
 pub fn rel_mse(picture: &[[f32; 3]], reference: &[[f32; 3]]) -> f64 {
     let relative = |(a, b): (&[f32; 3], &[f32; 3])| {
         let square: f64 = a.iter().zip(b).map(|(a, b)| (f64::from(*a) - f64::from(*b)).powi(2)).sum();

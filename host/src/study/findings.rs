@@ -160,8 +160,8 @@ pub(super) mod tests {
         let said = |points: &[Point]| sentence(&points.iter().collect::<Vec<_>>()).unwrap();
         assert_eq!(
             said(&points),
-            "For box on CPU, nothing that leaves every pixel as it is saves time; method=atomic saves 45 % and differs visibly in 2.50 % of \
-             the pixels; samples=nine costs 200 % and removes 75 % of the error."
+            "For box on CPU, nothing that leaves every pixel as it is saves time; method=atomic saves 45 % and differs visibly in \
+             2.50 % of the pixels; samples=nine costs 200 % and removes 75 % of the error."
         );
         let mut quicker = points;
         quicker[1].milliseconds = 80.0;

@@ -1,7 +1,7 @@
 //! Measures the points of a study.
 //!
-//! All points of a scene run in turn in each repetition, so that what disturbs one disturbs all. A time is that of the passes of both views;
-//! building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
+//! All points of a scene run in turn in each repetition, so that what disturbs one disturbs all. A time is that of the passes of both
+//! views; building, uploading and reading back are left out. Errors are the second view's, which has everything that a knob can spoil.
 
 use super::knob::Knob;
 use super::{Machine, Settings, StrictPrice, gain, grid};

@@ -81,7 +81,8 @@ pub fn svg(title: &str, what: &str, points: &[&Point], error: impl Fn(&Point) ->
     );
     let title = escaped(title);
     format!(
-        "<figure><figcaption>{title}</figcaption>\n<svg viewBox=\"0 0 {width} {height}\" role=\"img\" aria-label=\"{title}\">\n{body}</svg></figure>\n"
+        "<figure><figcaption>{title}</figcaption>\n<svg viewBox=\"0 0 {width} {height}\" role=\"img\" \
+         aria-label=\"{title}\">\n{body}</svg></figure>\n"
     )
 }
 
@@ -91,7 +92,8 @@ fn frame(x: &Axis, y: &Axis, exact: bool) -> String {
         let text = if exact && number_of_tick == 0 { "none".into() } else { number(value) };
         let _ = writeln!(
             svg,
-            "<line class=\"grid\" x1=\"{}\" x2=\"{}\" y1=\"{2:.1}\" y2=\"{2:.1}\"/><text x=\"{3}\" y=\"{4:.1}\" text-anchor=\"end\">{text}</text>",
+            "<line class=\"grid\" x1=\"{}\" x2=\"{}\" y1=\"{2:.1}\" y2=\"{2:.1}\"/>\
+             <text x=\"{3}\" y=\"{4:.1}\" text-anchor=\"end\">{text}</text>",
             x.from,
             x.to,
             y.at(value),
@@ -102,7 +104,8 @@ fn frame(x: &Axis, y: &Axis, exact: bool) -> String {
     for value in x.ticks() {
         let _ = writeln!(
             svg,
-            "<line class=\"grid\" x1=\"{0:.1}\" x2=\"{0:.1}\" y1=\"{1}\" y2=\"{2}\"/><text x=\"{0:.1}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
+            "<line class=\"grid\" x1=\"{0:.1}\" x2=\"{0:.1}\" y1=\"{1}\" y2=\"{2}\"/>\
+             <text x=\"{0:.1}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
             x.at(value),
             y.from,
             y.to,
