@@ -1,6 +1,7 @@
 //! Settings by what a stored study has shown of them: the best picture within a time, or the fastest one within an error.
 
 use super::Settings;
+use crate::render::Method;
 use serde::Deserialize;
 
 /// What is asked for.
@@ -128,11 +129,13 @@ fn parse(study: &str) -> Result<Vec<Stored>, ChoiceError> {
         .collect()
 }
 
-/// What a point lets expect of a picture with so many pixels; nothing of a point whose settings this version does not know.
+/// What a point lets expect of a picture with so many pixels; nothing of a point whose settings this version does not know, nor of the
+/// method `ideal`, which makes no pair.
 fn expected(point: &Stored, pixels: u64) -> Option<Choice> {
     let measured = f64::from(point.width) * f64::from(point.height);
     Some(Choice {
-        settings: Settings::parse(&point.settings)?,
+        settings: Settings::parse(&point.settings)
+            .filter(|settings| settings.stereo.method != Method::Ideal)?,
         milliseconds: point.milliseconds * pixels as f64 / measured.max(1.0),
         error: point.to_truth.flip,
     })
@@ -173,6 +176,7 @@ mod tests {
             line("method=atomic verify=edges", 6.0, 0.04),
             line("samples=4x4", 100.0, 0.01),
             line("bvh=quick", 11.0, 0.03),
+            line("method=ideal", 1.0, 0.03),
         ]
         .join("\n")
     }

@@ -5,9 +5,15 @@ use super::Point;
 /// How much two times must differ to be told apart: more than these machines' noise.
 const NOISE: f64 = 0.03;
 
-/// The points that no other one beats in both time and error, from the fastest on.
+/// Whether a point is a bound and no pair: the method `ideal` copies the first view, which no error of colours tells from a view of its
+/// own that is a little off.
+fn is_bound(point: &Point) -> bool {
+    point.settings.contains("method=ideal")
+}
+
+/// The points that no other one beats in both time and error, from the fastest on, without bounds.
 pub fn frontier<'a>(points: &[&'a Point], error: impl Fn(&Point) -> f64) -> Vec<&'a Point> {
-    let mut sorted = points.to_vec();
+    let mut sorted: Vec<_> = points.iter().copied().filter(|point| !is_bound(point)).collect();
     sorted.sort_by(|a, b| a.milliseconds.total_cmp(&b.milliseconds).then(error(a).total_cmp(&error(b))));
     let mut best = f64::INFINITY;
     sorted.retain(|point| {
@@ -30,12 +36,14 @@ pub fn gain(point: &Point, base: &Point) -> f64 {
 }
 
 /// The indices of `points` as a table has them, and whether they are on the frontier of time and error against the truth: first those
-/// that are, then the others, both from the greatest gain on. Equal gains keep their order.
+/// that are, then the others, then bounds, all from the greatest gain on. Equal gains keep their order.
 pub fn ranking(points: &[&Point]) -> Vec<(usize, bool)> {
     let best = frontier(points, |point| point.to_truth.view.mse);
     let is_best = |point: &Point| best.iter().any(|other| std::ptr::eq(*other, point));
     let mut ranks: Vec<_> = points.iter().map(|point| is_best(point)).enumerate().collect();
-    ranks.sort_by(|a, b| b.1.cmp(&a.1).then(points[b.0].gain.total_cmp(&points[a.0].gain)));
+    let group = |&(index, is_best): &(usize, bool)| (!is_best, is_bound(points[index]));
+    let gain = |rank: &(usize, bool)| points[rank.0].gain;
+    ranks.sort_by(|a, b| group(a).cmp(&group(b)).then(gain(b).total_cmp(&gain(a))));
     ranks
 }
 
@@ -58,7 +66,7 @@ pub fn sentence(points: &[&Point]) -> Option<String> {
     } else {
         said.push("nothing that leaves every pixel as it is saves time".into());
     }
-    let one_ray = |point: &&&Point| !point.settings.contains("samples=") && !point.settings.contains("ideal");
+    let one_ray = |point: &&&Point| !point.settings.contains("samples=") && !is_bound(point);
     let bargain = others.iter().filter(one_ray).filter(|point| !exact(point));
     if let Some(point) = bargain.min_by(|a, b| ratio(a).total_cmp(&ratio(b))) {
         let (saved, error) = (100.0 * (1.0 - ratio(point)), point.to_traced);
@@ -140,12 +148,22 @@ pub(super) mod tests {
 
     #[test]
     fn what_nothing_beats_comes_first_and_then_what_gains_most() {
-        let points =
-            [("a", 100.0, 8.0), ("b", 50.0, 32.0), ("c", 20.0, 60.0), ("d", 400.0, 1.0), ("e", 110.0, 8.0)]
-                .map(|(name, time, error)| point(name, time, 0.0, error));
+        let points = [
+            ("method=ideal", 10.0, 8.0),
+            ("a", 100.0, 8.0),
+            ("b", 50.0, 32.0),
+            ("c", 20.0, 60.0),
+            ("d", 400.0, 1.0),
+            ("e", 110.0, 8.0),
+        ]
+        .map(|(name, time, error)| point(name, time, 0.0, error));
         let ranks = ranking(&points.each_ref());
         let order: Vec<_> = ranks.iter().map(|(index, _)| &points[*index].settings[..]).collect();
-        assert_eq!(order, ["d", "a", "c", "b", "e"], "gains of 2, 1, ⅔ and ½; ⁸⁄₁₁ is beaten");
+        assert_eq!(
+            order,
+            ["d", "a", "c", "b", "e", "method=ideal"],
+            "gains of 2, 1, ⅔ and ½; ⁸⁄₁₁ is beaten"
+        );
         assert_eq!(ranks.iter().filter(|(_, is_best)| *is_best).count(), 4);
     }
 

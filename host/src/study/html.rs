@@ -84,7 +84,7 @@ fn table(case: &Case) -> String {
         ranks.into_iter().map(|(index, is_best)| row(&case.points[index], naive, is_best)).collect();
     let heads =
         ["gain", "ms", "of naive", "Mrays", "MB", "ꟻLIP", "visible %", "MSE", "differ %", "MSE to truth"]
-            .map(|head| format!("<th>{head}</th>"));
+            .map(|head| format!("<th class=\"number\">{head}</th>"));
     format!(
         "<div class=\"table\"><table>\n<tr><th>settings</th>{}</tr>\n{rows}</table></div>\n",
         heads.concat()
