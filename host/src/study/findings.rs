@@ -26,8 +26,8 @@ pub fn frontier<'a>(points: &[&'a Point], error: impl Fn(&Point) -> f64) -> Vec<
 
 /// How much more a point gives for its time than `base`, the traced pair: times and mean squared errors against the truth, multiplied,
 /// of `base` over those of the point. 1 for `base`; 2 for half the error in the same time, and for the same error in half the time.
-/// More rays per pixel by brute force stay near 1, as n times the rays take n times the time and leave an nth of the error. +∞ for a
-/// point without error, if `base` has one.
+/// More rays that are thrown at random would stay at 1, as n times the rays take n times the time and leave an nth of the error; those
+/// of a grid leave less. +∞ for a point without error, if `base` has one.
 pub fn gain(point: &Point, base: &Point) -> f64 {
     let errors = base.to_truth.view.mse / point.to_truth.view.mse;
     let times = base.milliseconds / point.milliseconds;
