@@ -57,6 +57,8 @@ pub mod operation {
     pub const SQUARE_LESS: u32 = 19;
     /// The same by fused multiply-add, if the driver fuses.
     pub const FUSED_SQUARE_LESS: u32 = 20;
+    /// b after a rounds (integers) of a loop of which no compiler knows the end: Numerical Recipes' generator.
+    pub const ROUNDS: u32 = 21;
 }
 
 /// `results[i]` = the operation of `a[i]` and `b[i]`; words, so that no driver changes a bit on the way.
@@ -71,6 +73,11 @@ pub fn arithmetic(
     if id.x < results.len() {
         results.put(id.x, apply(operation, a.at(id.x), b.at(id.x)));
     }
+}
+
+#[inline(always)]
+fn rounds(count: u32, start: u32) -> u32 {
+    (0..count).fold(start, |state, _| state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223))
 }
 
 #[inline(always)]
@@ -101,6 +108,7 @@ fn apply(operation: u32, word_a: u32, word_b: u32) -> u32 {
         operation::NATIVE_DIVIDE => a / b,
         operation::NATIVE_ROOT => native_sqrt(a),
         operation::SQUARE_LESS => a * a - b,
+        operation::ROUNDS => return rounds(word_a, word_b),
         _ => native_fma(a, a, -b),
     };
     result.to_bits()

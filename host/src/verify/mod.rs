@@ -183,6 +183,7 @@ mod tests {
             zeros: good(),
             division: answer(division),
             square_root: good(),
+            loops: good(),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::input::meshes::Random;
 use super::input::numbers::{ordinary, ulps};
 use super::suite::values;
-use crate::backend::{Backend, BackendError};
+use crate::backend::{Backend, BackendError, Cpu};
 use parallax_kernels::arithmetic::operation::*;
 use serde::Serialize;
 
@@ -42,11 +42,13 @@ pub struct Answers {
     pub division: Answer,
     /// Square root.
     pub square_root: Answer,
+    /// How many rounds of its loops an invocation has.
+    pub loops: Answer,
 }
 
 impl Answers {
     /// The answers with the names of their probes.
-    pub fn named(&self) -> [(&'static str, &Answer); 7] {
+    pub fn named(&self) -> [(&'static str, &Answer); 8] {
         [
             ("contraction", &self.contraction),
             ("fused multiply-add", &self.fma),
@@ -55,6 +57,7 @@ impl Answers {
             ("signs of zeros", &self.zeros),
             ("division", &self.division),
             ("square root", &self.square_root),
+            ("loops", &self.loops),
         ]
     }
 }
@@ -73,6 +76,7 @@ pub fn probe<B: Backend>(backend: &mut B, machine: &'static str) -> Result<Answe
         zeros: zeros(backend)?,
         division: accuracy(backend, NATIVE_DIVIDE, |a, b| a / b)?,
         square_root: accuracy(backend, NATIVE_ROOT, |a, _| a.sqrt())?,
+        loops: loops(backend)?,
     })
 }
 
@@ -171,4 +175,23 @@ fn accuracy<B: Backend>(
         _ => format!("up to {worst:.2} ULP off, {:.0} % not rounded", 100.0 * wrong as f64 / COUNT as f64),
     };
     Ok(Answer { says, strict_can_do: worst <= CORRECTABLE })
+}
+
+/// Rounds that are asked for; lavapipe has 65,535 in all loops of an invocation together.
+const ROUNDS_ASKED: [u32; 6] = [1000, 65_000, 65_535, 65_600, 200_000, 1 << 20];
+
+fn loops<B: Backend>(backend: &mut B) -> Result<Answer, BackendError> {
+    let starts = ROUNDS_ASKED.map(|_| 1);
+    let expected = values(&mut Cpu::new(1)?, ROUNDS, &ROUNDS_ASKED, &starts)?;
+    let results = values(backend, ROUNDS, &ROUNDS_ASKED, &starts)?;
+    let right = results.iter().zip(&expected).take_while(|(result, expected)| result == expected).count();
+    let says = match (right.checked_sub(1), ROUNDS_ASKED.get(right)) {
+        (_, None) => "run to their end".into(),
+        (Some(last), Some(next)) => {
+            format!("run to their end for {} rounds, but not for {next}", ROUNDS_ASKED[last])
+        }
+        (None, Some(next)) => format!("do NOT run to their end for {next} rounds"),
+    };
+    // What renders needs a thousand rounds at most, but where there are thousands of lights.
+    Ok(Answer { says, strict_can_do: right > 0 })
 }

@@ -82,11 +82,6 @@ impl<'a> Suite<'a> {
         (self.progress)(done, total);
     }
 
-    /// Whether there is a device.
-    pub fn has_device(&self) -> bool {
-        self.gpu.is_some()
-    }
-
     /// Does the same on the processor and on the device.
     pub fn both<T>(
         &mut self,

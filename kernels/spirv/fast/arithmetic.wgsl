@@ -7,184 +7,236 @@ var<private> bits_7fc00000: u32 = 2143289344u;
 var<private> bits_ff800000: u32 = 4286578688u;
 @compute @workgroup_size(64, 1, 1)
 fn arithmetic(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
-  var p712: bool;
-  var p45: bool;
-  var p40: bool;
-  var p681: bool;
+  var p732: u32;
+  var p733: u32;
+  var p729: bool;
+  var p47: bool;
+  var p37: f32;
+  var p38: u32;
+  var p39: bool;
+  var p41: bool;
+  var p709: bool;
+  var p716: bool;
   var p31: f32;
   var p35: bool;
-  var p634: bool;
-  var p631: bool;
-  var p54: f32;
-  var p55: bool;
-  var p626: bool;
+  var p643: bool;
+  var p640: bool;
+  var p63: f32;
+  var p64: bool;
+  var p635: bool;
   var p25: f32;
   var p27: bool;
   var p28: bool;
   var p29: bool;
-  var p613: bool;
-  var p563: bool;
-  var p606: bool;
-  var p610: u32;
-  var p67: f32;
-  var p68: bool;
-  var p445: bool;
-  var p452: bool;
-  var p462: u32;
-  var p463: u32;
-  var p464: bool;
-  var p490: bool;
-  var p496: f32;
-  var p495: bool;
-  var p544: f32;
-  var p545: u32;
-  var p546: f32;
-  var p556: f32;
-  var p391: f32;
-  var p392: bool;
-  var p399: bool;
-  var p409: u32;
-  var p410: u32;
-  var p411: bool;
-  var p437: bool;
-  var p70: f32;
-  var p71: bool;
-  var p72: bool;
-  var p239: bool;
-  var p249: bool;
-  var p246: bool;
-  var p253: bool;
-  var p262: bool;
-  var p268: u32;
-  var p269: u32;
-  var p298: bool;
-  var p307: u32;
-  var p308: u32;
-  var p309: bool;
-  var p332: bool;
-  var p348: u32;
-  var p349: u32;
-  var p350: u32;
-  var p102: bool;
-  var p125: bool;
-  var p126: bool;
-  var p121: bool;
-  var p141: bool;
-  var p147: u32;
-  var p148: u32;
-  var p156: bool;
-  var p161: u32;
-  var p162: u32;
-  var p189: bool;
-  var p197: u32;
-  var p198: u32;
-  var p231: u32;
-  var p203: bool;
-  var p233: u32;
-  var p236: u32;
-  var p80: f32;
+  var p622: bool;
+  var p572: bool;
+  var p615: bool;
+  var p619: u32;
+  var p76: f32;
+  var p77: bool;
+  var p454: bool;
+  var p461: bool;
+  var p471: u32;
+  var p472: u32;
+  var p473: bool;
+  var p499: bool;
+  var p505: f32;
+  var p504: bool;
+  var p553: f32;
+  var p554: u32;
+  var p555: f32;
+  var p565: f32;
+  var p400: f32;
+  var p401: bool;
+  var p408: bool;
+  var p418: u32;
+  var p419: u32;
+  var p420: bool;
+  var p446: bool;
+  var p79: f32;
+  var p80: bool;
   var p81: bool;
-  var p82: bool;
-  var p86: bool;
-  var p63: bool;
-  var p94: bool;
-  var p736: f32;
-  var p737: bool;
-  var p740: u32;
-  let v746 = global_invocation_id[0u];
-  let v751 = (arrayLength(&r2) * 1u);
-  let v9 = (v751 & 1073741823u);
-  let v752 = spec0;
-  let v11 = (v746 < v9);
+  var p248: bool;
+  var p258: bool;
+  var p255: bool;
+  var p262: bool;
+  var p271: bool;
+  var p277: u32;
+  var p278: u32;
+  var p307: bool;
+  var p316: u32;
+  var p317: u32;
+  var p318: bool;
+  var p341: bool;
+  var p357: u32;
+  var p358: u32;
+  var p359: u32;
+  var p111: bool;
+  var p134: bool;
+  var p135: bool;
+  var p130: bool;
+  var p150: bool;
+  var p156: u32;
+  var p157: u32;
+  var p165: bool;
+  var p170: u32;
+  var p171: u32;
+  var p198: bool;
+  var p206: u32;
+  var p207: u32;
+  var p240: u32;
+  var p212: bool;
+  var p242: u32;
+  var p245: u32;
+  var p89: f32;
+  var p90: bool;
+  var p91: bool;
+  var p95: bool;
+  var p72: bool;
+  var p103: bool;
+  var p759: f32;
+  var p760: bool;
+  var p762: u32;
+  let v768 = global_invocation_id[0u];
+  let v773 = (arrayLength(&r2) * 1u);
+  let v9 = (v773 & 1073741823u);
+  let v774 = spec0;
+  let v11 = (v768 < v9);
   if v11 {
-    let v753 = r0[v746];
-    let v754 = r1[v746];
-    let v21 = bitcast<f32>(v753);
-    let v22 = bitcast<f32>(v754);
-    let v23 = (bitcast<i32>(v752) >= bitcast<i32>(10u));
+    let v775 = r0[v768];
+    let v776 = r1[v768];
+    let v21 = bitcast<f32>(v775);
+    let v22 = bitcast<f32>(v776);
+    let v23 = (bitcast<i32>(v774) >= bitcast<i32>(10u));
     if v23 {
-      let v24 = (bitcast<i32>(v752) >= bitcast<i32>(15u));
+      let v24 = (bitcast<i32>(v774) >= bitcast<i32>(15u));
       if v24 {
-        let v30 = (bitcast<i32>(v752) >= bitcast<i32>(17u));
+        let v30 = (bitcast<i32>(v774) >= bitcast<i32>(18u));
         if v30 {
-          let v36 = (bitcast<i32>(v752) >= bitcast<i32>(18u));
+          let v36 = (bitcast<i32>(v774) >= bitcast<i32>(19u));
           if v36 {
-            let v41 = (bitcast<i32>(v752) >= bitcast<i32>(19u));
-            if v41 {
-              let v46 = (v752 == 19u);
-              if v46 {
-                let v713 = (v21 * v21);
-                let v714 = (v713 - v22);
-                p31 = v714;
-                p27 = true;
+            let v42 = (bitcast<i32>(v774) >= bitcast<i32>(21u));
+            if v42 {
+              let v48 = (v774 == 21u);
+              if v48 {
+                let v730 = (v775 != 0u);
+                if v730 {
+                  p732 = v776;
+                  p733 = 0u;
+                  var done0 = false;
+                  loop {
+                    if done0 { break; }
+                    let v732 = p732;
+                    let v733 = p733;
+                    let v734 = (v733 + 1u);
+                    let v735 = (v732 * 1664525u);
+                    let v736 = (v735 + 1013904223u);
+                    let v737 = (v734 == v775);
+                    p732 = v736;
+                    p733 = v734;
+                    p38 = v736;
+                    done0 = v737;
+                  }
+                } else {
+                  p38 = v776;
+                }
                 p28 = false;
               } else {
-                p27 = false;
                 p28 = true;
               }
-              p712 = false;
+              p729 = false;
             } else {
-              p27 = false;
               p28 = false;
-              p712 = true;
+              p729 = true;
             }
-            let v712 = p712;
-            if v712 {
-              let v755 = sqrt(v21);
-              p31 = v755;
-              p27 = true;
+            let v729 = p729;
+            if v729 {
+              let v51 = (v774 == 19u);
+              if v51 {
+                let v725 = (v21 * v21);
+                let v726 = (v725 - v22);
+                p37 = v726;
+                p39 = true;
+                p28 = false;
+              } else {
+                p39 = false;
+                p28 = true;
+              }
+            } else {
+              p39 = false;
             }
-            p45 = false;
+            p47 = false;
           } else {
-            p27 = false;
+            p39 = false;
             p28 = false;
-            p45 = true;
+            p47 = true;
           }
-          let v45 = p45;
-          if v45 {
-            let v704 = (v21 / v22);
-            p31 = v704;
-            p27 = true;
+          let v47 = p47;
+          if v47 {
+            let v777 = sqrt(v21);
+            p37 = v777;
+            p39 = true;
           }
-          p40 = false;
+          p41 = false;
         } else {
-          p27 = false;
+          p39 = false;
           p28 = false;
-          p40 = true;
+          p41 = true;
         }
-        let v40 = p40;
-        if v40 {
-          let v49 = (bitcast<i32>(v752) >= bitcast<i32>(16u));
-          if v49 {
-            let v699 = (v754 << (14u & 31u));
-            let v700 = (v699 - v753);
-            let v701 = (v700 + 16383u);
-            p740 = v701;
-            p681 = false;
+        let v37 = p37;
+        let v38 = p38;
+        let v39 = p39;
+        let v41 = p41;
+        if v41 {
+          let v54 = (bitcast<i32>(v774) >= bitcast<i32>(16u));
+          if v54 {
+            let v58 = (bitcast<i32>(v774) >= bitcast<i32>(17u));
+            if v58 {
+              let v717 = (v21 / v22);
+              p31 = v717;
+              p27 = true;
+              p709 = false;
+            } else {
+              p27 = v39;
+              p709 = true;
+            }
+            let v709 = p709;
+            if v709 {
+              let v710 = (v776 << (14u & 31u));
+              let v711 = (v710 - v775);
+              let v712 = (v711 + 16383u);
+              p762 = v712;
+            }
+            p716 = false;
           } else {
-            p681 = true;
+            p27 = v39;
+            p716 = true;
           }
-          let v681 = p681;
-          if v681 {
-            let v682 = (v22 == bitcast<f32>(bits_7f800000));
-            let v683 = (v22 + -1.0f);
-            let v684 = (v683 / v22);
-            let v685 = (v684 * v21);
-            let v686 = select(v685, v21, v682);
-            let v687 = (v686 > -1048576.0f);
-            let v688 = select(-1048576.0f, v686, v687);
-            let v689 = (v688 < 1048576.0f);
-            let v690 = select(1048576.0f, v688, v689);
-            let v691 = (v690 + 12582912.0f);
-            let v692 = bitcast<u32>(v691);
-            let v693 = (v692 + 3032481792u);
-            let v694 = f32(bitcast<i32>(v693));
-            let v695 = (v690 - v694);
-            let v696 = (v695 >= 0.5f);
-            let v697 = select(0u, 1u, v696);
-            let v698 = (v693 + v697);
-            p740 = v698;
+          let v716 = p716;
+          if v716 {
+            let v690 = (v22 == bitcast<f32>(bits_7f800000));
+            let v691 = (v22 + -1.0f);
+            let v692 = (v691 / v22);
+            let v693 = (v692 * v21);
+            let v694 = select(v693, v21, v690);
+            let v695 = (v694 > -1048576.0f);
+            let v696 = select(-1048576.0f, v694, v695);
+            let v697 = (v696 < 1048576.0f);
+            let v698 = select(1048576.0f, v696, v697);
+            let v699 = (v698 + 12582912.0f);
+            let v700 = bitcast<u32>(v699);
+            let v701 = (v700 + 3032481792u);
+            let v702 = f32(bitcast<i32>(v701));
+            let v703 = (v698 - v702);
+            let v704 = (v703 >= 0.5f);
+            let v705 = select(0u, 1u, v704);
+            let v706 = (v701 + v705);
+            p762 = v706;
           }
+        } else {
+          p31 = v37;
+          p762 = v38;
+          p27 = v39;
         }
         p35 = false;
       } else {
@@ -195,110 +247,110 @@ fn arithmetic(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
       let v31 = p31;
       let v35 = p35;
       if v35 {
-        let v51 = (bitcast<i32>(v752) >= bitcast<i32>(12u));
-        if v51 {
-          let v52 = (bitcast<i32>(v752) >= bitcast<i32>(13u));
-          if v52 {
-            let v53 = (bitcast<i32>(v752) >= bitcast<i32>(14u));
-            if v53 {
-              let v652 = (v21 * v21);
-              let v653 = (1.0f - v652);
-              let v654 = (v653 > 0.0f);
-              let v655 = select(0.0f, v653, v654);
-              let v656 = (v22 * v22);
-              let v657 = (v655 / v656);
-              let v658 = (1.0f - v657);
-              let v659 = (v658 > 0.0f);
-              if v659 {
-                let v756 = sqrt(v658);
-                let v661 = (v21 * v22);
-                let v662 = (v661 + v756);
-                let v663 = (v756 * v22);
-                let v664 = (v663 + v21);
-                let v665 = (v662 <= 0.0f);
-                let v666 = (v664 <= 0.0f);
-                let v667 = (v665 | v666);
-                let v668 = (v667 != true);
-                if v668 {
-                  let v669 = (v661 - v756);
-                  let v670 = (v669 / v662);
-                  let v671 = (v21 - v663);
-                  let v672 = (v671 / v664);
-                  let v673 = (v670 * v670);
-                  let v674 = (v672 * v672);
-                  let v675 = (v673 + v674);
-                  let v676 = (v675 * 0.5f);
-                  let v677 = (v676 > 0.0f);
-                  let v678 = select(0.0f, v676, v677);
-                  let v679 = !(v678 < 1.0f);
-                  if v679 {
-                    p54 = 1.0f;
+        let v60 = (bitcast<i32>(v774) >= bitcast<i32>(12u));
+        if v60 {
+          let v61 = (bitcast<i32>(v774) >= bitcast<i32>(13u));
+          if v61 {
+            let v62 = (bitcast<i32>(v774) >= bitcast<i32>(14u));
+            if v62 {
+              let v661 = (v21 * v21);
+              let v662 = (1.0f - v661);
+              let v663 = (v662 > 0.0f);
+              let v664 = select(0.0f, v662, v663);
+              let v665 = (v22 * v22);
+              let v666 = (v664 / v665);
+              let v667 = (1.0f - v666);
+              let v668 = (v667 > 0.0f);
+              if v668 {
+                let v778 = sqrt(v667);
+                let v670 = (v21 * v22);
+                let v671 = (v670 + v778);
+                let v672 = (v778 * v22);
+                let v673 = (v672 + v21);
+                let v674 = (v671 <= 0.0f);
+                let v675 = (v673 <= 0.0f);
+                let v676 = (v674 | v675);
+                let v677 = (v676 != true);
+                if v677 {
+                  let v678 = (v670 - v778);
+                  let v679 = (v678 / v671);
+                  let v680 = (v21 - v672);
+                  let v681 = (v680 / v673);
+                  let v682 = (v679 * v679);
+                  let v683 = (v681 * v681);
+                  let v684 = (v682 + v683);
+                  let v685 = (v684 * 0.5f);
+                  let v686 = (v685 > 0.0f);
+                  let v687 = select(0.0f, v685, v686);
+                  let v688 = !(v687 < 1.0f);
+                  if v688 {
+                    p63 = 1.0f;
                   } else {
-                    p54 = v678;
+                    p63 = v687;
                   }
                 } else {
-                  p54 = 1.0f;
+                  p63 = 1.0f;
                 }
               } else {
-                p54 = 1.0f;
+                p63 = 1.0f;
               }
-              p634 = false;
+              p643 = false;
             } else {
-              p634 = true;
+              p643 = true;
             }
-            let v634 = p634;
-            if v634 {
-              let v635 = (v21 * v22);
-              let v636 = (v21 * 4097.0f);
-              let v637 = (v636 - v21);
-              let v638 = (v636 - v637);
-              let v639 = (v21 - v638);
-              let v640 = (v22 * 4097.0f);
-              let v641 = (v640 - v22);
-              let v642 = (v640 - v641);
-              let v643 = (v22 - v642);
-              let v644 = (v638 * v642);
-              let v645 = (v644 - v635);
-              let v646 = (v638 * v643);
-              let v647 = (v645 + v646);
-              let v648 = (v639 * v642);
-              let v649 = (v648 + v647);
-              let v650 = (v639 * v643);
-              let v651 = (v650 + v649);
-              p54 = v651;
+            let v643 = p643;
+            if v643 {
+              let v644 = (v21 * v22);
+              let v645 = (v21 * 4097.0f);
+              let v646 = (v645 - v21);
+              let v647 = (v645 - v646);
+              let v648 = (v21 - v647);
+              let v649 = (v22 * 4097.0f);
+              let v650 = (v649 - v22);
+              let v651 = (v649 - v650);
+              let v652 = (v22 - v651);
+              let v653 = (v647 * v651);
+              let v654 = (v653 - v644);
+              let v655 = (v647 * v652);
+              let v656 = (v654 + v655);
+              let v657 = (v648 * v651);
+              let v658 = (v657 + v656);
+              let v659 = (v648 * v652);
+              let v660 = (v659 + v658);
+              p63 = v660;
             }
-            p631 = false;
+            p640 = false;
           } else {
-            p631 = true;
+            p640 = true;
           }
-          let v631 = p631;
-          if v631 {
-            let v632 = (v21 * v22);
-            p54 = v632;
+          let v640 = p640;
+          if v640 {
+            let v641 = (v21 * v22);
+            p63 = v641;
           }
-          p55 = false;
+          p64 = false;
         } else {
-          p55 = true;
+          p64 = true;
         }
-        let v54 = p54;
-        let v55 = p55;
-        if v55 {
-          let v56 = (bitcast<i32>(v752) >= bitcast<i32>(11u));
-          if v56 {
-            let v629 = (v21 + v22);
-            p25 = v629;
-            p626 = false;
+        let v63 = p63;
+        let v64 = p64;
+        if v64 {
+          let v65 = (bitcast<i32>(v774) >= bitcast<i32>(11u));
+          if v65 {
+            let v638 = (v21 + v22);
+            p25 = v638;
+            p635 = false;
           } else {
-            p626 = true;
+            p635 = true;
           }
-          let v626 = p626;
-          if v626 {
-            let v627 = (v21 > v22);
-            let v628 = select(v22, v21, v627);
-            p25 = v628;
+          let v635 = p635;
+          if v635 {
+            let v636 = (v21 > v22);
+            let v637 = select(v22, v21, v636);
+            p25 = v637;
           }
         } else {
-          p25 = v54;
+          p25 = v63;
         }
         p27 = true;
       } else {
@@ -315,992 +367,992 @@ fn arithmetic(@builtin(global_invocation_id) global_invocation_id: vec3<u32>) {
     let v28 = p28;
     let v29 = p29;
     if v29 {
-      let v59 = (bitcast<i32>(v752) >= bitcast<i32>(5u));
-      if v59 {
-        let v64 = (bitcast<i32>(v752) >= bitcast<i32>(7u));
-        if v64 {
-          let v65 = (bitcast<i32>(v752) >= bitcast<i32>(8u));
-          if v65 {
-            let v66 = (bitcast<i32>(v752) >= bitcast<i32>(9u));
-            if v66 {
-              let v623 = (v21 < v22);
-              let v624 = select(v22, v21, v623);
-              p67 = v624;
-              p613 = false;
-            } else {
-              p613 = true;
-            }
-            let v613 = p613;
-            if v613 {
-              let v757 = bitcast<u32>(i32(v21));
-              let v758 = (v21 > -2147483600.0f);
-              let v759 = select(2147483648u, v757, v758);
-              let v760 = (v21 >= 2147483600.0f);
-              let v761 = select(v759, 2147483647u, v760);
-              let v762 = (v753 & 2147483647u);
-              let v763 = (v762 > 2139095040u);
-              let v764 = select(v761, 0u, v763);
-              let v615 = f32(bitcast<i32>(v764));
-              let v616 = (v615 > v21);
-              let v617 = select(0u, 4294967295u, v616);
-              let v618 = (v764 + v617);
-              let v619 = f32(bitcast<i32>(v618));
-              let v621 = bitcast<f32>(v762);
-              let v622 = !(v621 < 8388608.0f);
-              if v622 {
-                p67 = v21;
-              } else {
-                p67 = v619;
-              }
-            }
-            p563 = false;
-          } else {
-            p563 = true;
-          }
-          let v563 = p563;
-          if v563 {
-            let v564 = (v21 + v22);
-            let v765 = abs(v564);
-            let v566 = bitcast<u32>(v765);
-            let v567 = (v566 <= 2139095040u);
-            if v567 {
-              let v766 = abs(v22);
-              let v767 = abs(v21);
-              let v570 = (v766 > v767);
-              let v571 = select(v767, v766, v570);
-              let v572 = !(v571 == 0.0f);
-              if v572 {
-                let v573 = (v766 < v767);
-                let v574 = select(v767, v766, v573);
-                let v575 = (v574 / v571);
-                let v576 = (v575 < 7.888609e-31f);
-                let v577 = select(v575, 0.0f, v576);
-                let v578 = (v577 * v577);
-                let v579 = (v578 * 0.0028498895f);
-                let v580 = (v579 + -0.016068604f);
-                let v581 = (v578 * v580);
-                let v582 = (v581 + 0.04269143f);
-                let v583 = (v578 * v582);
-                let v584 = (v583 + -0.07504282f);
-                let v585 = (v578 * v584);
-                let v586 = (v585 + 0.10640925f);
-                let v587 = (v578 * v586);
-                let v588 = (v587 + -0.14203641f);
-                let v589 = (v578 * v588);
-                let v590 = (v589 + 0.19992618f);
-                let v591 = (v578 * v590);
-                let v592 = (v591 + -0.33333072f);
-                let v593 = (v578 * v592);
-                let v594 = (v593 + 1.0f);
-                let v595 = (v577 * v594);
-                let v596 = (1.5707964f - v595);
-                let v597 = select(v595, v596, v573);
-                let v598 = (v22 < 0.0f);
-                let v599 = (3.1415927f - v597);
-                let v600 = select(v597, v599, v598);
-                let v768 = abs(v600);
-                let v602 = bitcast<u32>(v768);
-                let v603 = (v753 & 2147483648u);
-                let v604 = (v603 | v602);
-                p610 = v604;
-                p606 = false;
-              } else {
-                p606 = true;
-              }
-              let v606 = p606;
-              if v606 {
-                let v607 = (v753 & 2147483648u);
-                p610 = v607;
-              }
-            } else {
-              p610 = 2143289344u;
-            }
-            let v610 = p610;
-            let v611 = bitcast<f32>(v610);
-            p67 = v611;
-          }
-          p68 = false;
-        } else {
-          p68 = true;
-        }
-        let v67 = p67;
-        let v68 = p68;
-        if v68 {
-          let v69 = (bitcast<i32>(v752) >= bitcast<i32>(6u));
-          if v69 {
-            let v440 = (v22 >= 0.0f);
-            let v441 = (v22 <= 65536.0f);
-            let v442 = (v440 & v441);
-            let v443 = (v442 != true);
-            if v442 {
-              let v769 = bitcast<u32>(i32(v22));
-              let v770 = (v22 > -2147483600.0f);
-              let v771 = select(2147483648u, v769, v770);
-              let v772 = (v22 >= 2147483600.0f);
-              let v773 = select(v771, 2147483647u, v772);
-              let v774 = (v754 & 2147483647u);
-              let v775 = (v774 > 2139095040u);
-              let v776 = select(v773, 0u, v775);
-              let v532 = f32(bitcast<i32>(v776));
-              let v533 = (v22 < v532);
-              let v534 = select(0u, 4294967295u, v533);
-              let v535 = (v776 + v534);
-              let v536 = f32(bitcast<i32>(v535));
-              let v777 = abs(v22);
-              let v538 = (v777 < 8388608.0f);
-              let v539 = select(v22, v536, v538);
-              let v540 = !(v539 == v22);
-              p495 = true;
-              p445 = v540;
-            } else {
-              p495 = false;
-              p445 = v443;
-            }
-            let v445 = p445;
-            if v445 {
-              let v778 = abs(v21);
-              let v447 = bitcast<u32>(v778);
-              let v448 = (v447 <= 8388607u);
-              if v448 {
-                let v779 = countLeadingZeros(v447);
-                let v458 = (v779 + 4294967288u);
-                let v459 = (v447 << (v458 & 31u));
-                let v460 = (4294967155u - v779);
-                let v461 = (v459 != 0u);
-                p462 = v460;
-                p463 = v459;
-                p464 = v461;
-                p452 = false;
-              } else {
-                p464 = false;
-                p452 = true;
-              }
-              let v452 = p452;
-              if v452 {
-                let v453 = (v447 & 8388607u);
-                let v454 = (v453 | 8388608u);
-                let v455 = (v447 >> (23u & 31u));
-                let v456 = (v455 + 4294967146u);
-                p462 = v456;
-                p463 = v454;
-                p464 = true;
-              }
-              let v462 = p462;
-              let v463 = p463;
-              let v464 = p464;
-              if v464 {
-                let v465 = (v753 <= 2139095039u);
-                if v465 {
-                  let v466 = (v463 > 11863283u);
-                  let v467 = select(0u, 4294967295u, v466);
-                  let v468 = select(0u, 1u, v466);
-                  let v469 = (v463 & 8388607u);
-                  let v470 = (v469 | 1065353216u);
-                  let v471 = (v467 << (23u & 31u));
-                  let v472 = (v470 + v471);
-                  let v473 = bitcast<f32>(v472);
-                  let v474 = (v473 + -1.0f);
-                  let v475 = (v473 + 1.0f);
-                  let v476 = (v474 / v475);
-                  let v477 = (v476 * v476);
-                  let v478 = (v462 + 23u);
-                  let v479 = (v478 + v468);
-                  let v480 = f32(bitcast<i32>(v479));
-                  let v481 = (v477 * 0.4317447f);
-                  let v482 = (v481 + 0.57671404f);
-                  let v483 = (v477 * v482);
-                  let v484 = (v483 + 0.96179885f);
-                  let v485 = (v477 * v484);
-                  let v486 = (v485 + 2.88539f);
-                  let v487 = (v476 * v486);
-                  let v488 = (v487 + v480);
-                  p496 = v488;
-                  p490 = false;
-                } else {
-                  p490 = true;
-                }
-                let v490 = p490;
-                if v490 {
-                  let v491 = (v753 == 2139095040u);
-                  let v492 = select(bitcast<f32>(bits_7fc00000), bitcast<f32>(bits_7f800000), v491);
-                  p496 = v492;
-                }
-              } else {
-                p496 = bitcast<f32>(bits_ff800000);
-              }
-              let v496 = p496;
-              let v497 = (v496 * v22);
-              let v780 = abs(v497);
-              let v499 = bitcast<u32>(v780);
-              let v500 = (v499 <= 2139095040u);
-              if v500 {
-                let v501 = !(v497 >= 128.0f);
-                if v501 {
-                  let v502 = !(v497 < -126.0f);
-                  if v502 {
-                    let v503 = (v497 + 0.5f);
-                    let v781 = bitcast<u32>(i32(v503));
-                    let v782 = (v503 > -2147483600.0f);
-                    let v783 = select(2147483648u, v781, v782);
-                    let v784 = (v503 >= 2147483600.0f);
-                    let v785 = select(v783, 2147483647u, v784);
-                    let v786 = bitcast<u32>(v503);
-                    let v787 = (v786 & 2147483647u);
-                    let v788 = (v787 > 2139095040u);
-                    let v789 = select(v785, 0u, v788);
-                    let v505 = f32(bitcast<i32>(v789));
-                    let v506 = (v503 < v505);
-                    let v507 = select(0u, 4294967295u, v506);
-                    let v508 = (v789 + v507);
-                    let v509 = f32(bitcast<i32>(v508));
-                    let v790 = abs(v503);
-                    let v511 = (v790 < 8388608.0f);
-                    let v512 = select(v503, v509, v511);
-                    let v513 = (v497 - v512);
-                    let v514 = (v513 * 0.00015469735f);
-                    let v515 = (v514 + 0.0013390867f);
-                    let v516 = (v513 * v515);
-                    let v517 = (v516 + 0.009618031f);
-                    let v518 = (v513 * v517);
-                    let v519 = (v518 + 0.05550357f);
-                    let v520 = (v513 * v519);
-                    let v521 = (v520 + 0.2402265f);
-                    let v522 = (v513 * v521);
-                    let v523 = (v522 + 0.6931472f);
-                    let v524 = (v513 * v523);
-                    let v525 = (v524 + 1.0f);
-                    let v791 = bitcast<u32>(i32(v512));
-                    let v792 = (v512 > -2147483600.0f);
-                    let v793 = select(2147483648u, v791, v792);
-                    let v794 = (v512 >= 2147483600.0f);
-                    let v795 = select(v793, 2147483647u, v794);
-                    let v796 = bitcast<u32>(v512);
-                    let v797 = (v796 & 2147483647u);
-                    let v798 = (v797 > 2139095040u);
-                    let v799 = select(v795, 0u, v798);
-                    let v527 = bitcast<u32>(v525);
-                    let v528 = (v799 << (23u & 31u));
-                    let v529 = (v528 + v527);
-                    let v530 = bitcast<f32>(v529);
-                    p391 = v530;
-                  } else {
-                    p391 = 0.0f;
-                  }
-                } else {
-                  p391 = bitcast<f32>(bits_7f800000);
-                }
-              } else {
-                p391 = v497;
-              }
-              p495 = false;
-            }
-            let v495 = p495;
-            if v495 {
-              let v800 = u32(v22);
-              let v801 = (v22 > 0.0f);
-              let v802 = select(0u, v800, v801);
-              let v803 = (v22 >= 4294967300.0f);
-              let v804 = select(v802, 4294967295u, v803);
-              let v542 = (v804 != 0u);
-              if v542 {
-                p544 = v21;
-                p545 = v804;
-                p546 = 1.0f;
-                var done0 = false;
-                loop {
-                  if done0 { break; }
-                  let v544 = p544;
-                  let v545 = p545;
-                  let v546 = p546;
-                  let v547 = (v545 & 1u);
-                  let v548 = (v547 != 0u);
-                  let v805 = abs(v544);
-                  if v548 {
-                    let v550 = (v805 < 1.0842022e-19f);
-                    let v551 = select(v544, 0.0f, v550);
-                    let v552 = (v546 * v551);
-                    let v806 = abs(v552);
-                    let v554 = (v806 < 1.0842022e-19f);
-                    let v555 = select(v552, 0.0f, v554);
-                    p556 = v555;
-                  } else {
-                    p556 = v546;
-                  }
-                  let v556 = p556;
-                  let v557 = (v545 >> (1u & 31u));
-                  let v558 = (v805 < 1.0842022e-19f);
-                  let v559 = select(v544, 0.0f, v558);
-                  let v560 = (v559 * v559);
-                  let v561 = (v557 == 0u);
-                  p544 = v560;
-                  p545 = v557;
-                  p546 = v556;
-                  p391 = v556;
-                  done0 = v561;
-                }
-              } else {
-                p391 = 1.0f;
-              }
-            }
-            p392 = false;
-          } else {
-            p392 = true;
-          }
-          let v391 = p391;
-          let v392 = p392;
-          if v392 {
-            let v807 = abs(v21);
-            let v394 = bitcast<u32>(v807);
-            let v395 = (v394 <= 8388607u);
-            if v395 {
-              let v808 = countLeadingZeros(v394);
-              let v405 = (v808 + 4294967288u);
-              let v406 = (v394 << (v405 & 31u));
-              let v407 = (4294967155u - v808);
-              let v408 = (v406 != 0u);
-              p409 = v407;
-              p410 = v406;
-              p411 = v408;
-              p399 = false;
-            } else {
-              p411 = false;
-              p399 = true;
-            }
-            let v399 = p399;
-            if v399 {
-              let v400 = (v394 & 8388607u);
-              let v401 = (v400 | 8388608u);
-              let v402 = (v394 >> (23u & 31u));
-              let v403 = (v402 + 4294967146u);
-              p409 = v403;
-              p410 = v401;
-              p411 = true;
-            }
-            let v409 = p409;
-            let v410 = p410;
-            let v411 = p411;
-            if v411 {
-              let v412 = (v753 <= 2139095039u);
-              if v412 {
-                let v413 = (v410 > 11863283u);
-                let v414 = select(0u, 4294967295u, v413);
-                let v415 = select(0u, 1u, v413);
-                let v416 = (v410 & 8388607u);
-                let v417 = (v416 | 1065353216u);
-                let v418 = (v414 << (23u & 31u));
-                let v419 = (v417 + v418);
-                let v420 = bitcast<f32>(v419);
-                let v421 = (v420 + -1.0f);
-                let v422 = (v420 + 1.0f);
-                let v423 = (v421 / v422);
-                let v424 = (v423 * v423);
-                let v425 = (v409 + 23u);
-                let v426 = (v425 + v415);
-                let v427 = f32(bitcast<i32>(v426));
-                let v428 = (v424 * 0.4317447f);
-                let v429 = (v428 + 0.57671404f);
-                let v430 = (v424 * v429);
-                let v431 = (v430 + 0.96179885f);
-                let v432 = (v424 * v431);
-                let v433 = (v432 + 2.88539f);
-                let v434 = (v423 * v433);
-                let v435 = (v434 + v427);
-                p70 = v435;
-                p437 = false;
-              } else {
-                p437 = true;
-              }
-              let v437 = p437;
-              if v437 {
-                let v438 = (v753 == 2139095040u);
-                let v439 = select(bitcast<f32>(bits_7fc00000), bitcast<f32>(bits_7f800000), v438);
-                p70 = v439;
-              }
-            } else {
-              p70 = bitcast<f32>(bits_ff800000);
-            }
-          } else {
-            p70 = v391;
-          }
-        } else {
-          p70 = v67;
-        }
-        p71 = true;
-        p72 = false;
-      } else {
-        p71 = v27;
-        p72 = true;
-      }
-      let v70 = p70;
-      let v71 = p71;
-      let v72 = p72;
-      if v72 {
-        let v73 = (bitcast<i32>(v752) >= bitcast<i32>(2u));
+      let v68 = (bitcast<i32>(v774) >= bitcast<i32>(5u));
+      if v68 {
+        let v73 = (bitcast<i32>(v774) >= bitcast<i32>(7u));
         if v73 {
-          let v78 = (bitcast<i32>(v752) >= bitcast<i32>(3u));
-          if v78 {
-            let v79 = (bitcast<i32>(v752) >= bitcast<i32>(4u));
-            if v79 {
-              let v809 = abs(v21);
-              let v359 = bitcast<u32>(v809);
-              let v360 = (v359 <= 2139095040u);
-              if v360 {
-                let v361 = !(v21 >= 128.0f);
-                if v361 {
-                  let v362 = !(v21 < -126.0f);
-                  if v362 {
-                    let v363 = (v21 + 0.5f);
-                    let v810 = bitcast<u32>(i32(v363));
-                    let v811 = (v363 > -2147483600.0f);
-                    let v812 = select(2147483648u, v810, v811);
-                    let v813 = (v363 >= 2147483600.0f);
-                    let v814 = select(v812, 2147483647u, v813);
-                    let v815 = bitcast<u32>(v363);
-                    let v816 = (v815 & 2147483647u);
-                    let v817 = (v816 > 2139095040u);
-                    let v818 = select(v814, 0u, v817);
-                    let v365 = f32(bitcast<i32>(v818));
-                    let v366 = (v363 < v365);
-                    let v367 = select(0u, 4294967295u, v366);
-                    let v368 = (v818 + v367);
-                    let v369 = f32(bitcast<i32>(v368));
-                    let v819 = abs(v363);
-                    let v371 = (v819 < 8388608.0f);
-                    let v372 = select(v363, v369, v371);
-                    let v373 = (v21 - v372);
-                    let v374 = (v373 * 0.00015469735f);
-                    let v375 = (v374 + 0.0013390867f);
-                    let v376 = (v373 * v375);
-                    let v377 = (v376 + 0.009618031f);
-                    let v378 = (v373 * v377);
-                    let v379 = (v378 + 0.05550357f);
-                    let v380 = (v373 * v379);
-                    let v381 = (v380 + 0.2402265f);
-                    let v382 = (v373 * v381);
-                    let v383 = (v382 + 0.6931472f);
-                    let v384 = (v373 * v383);
-                    let v385 = (v384 + 1.0f);
-                    let v820 = bitcast<u32>(i32(v372));
-                    let v821 = (v372 > -2147483600.0f);
-                    let v822 = select(2147483648u, v820, v821);
-                    let v823 = (v372 >= 2147483600.0f);
-                    let v824 = select(v822, 2147483647u, v823);
-                    let v825 = bitcast<u32>(v372);
-                    let v826 = (v825 & 2147483647u);
-                    let v827 = (v826 > 2139095040u);
-                    let v828 = select(v824, 0u, v827);
-                    let v387 = bitcast<u32>(v385);
-                    let v388 = (v828 << (23u & 31u));
-                    let v389 = (v388 + v387);
-                    let v390 = bitcast<f32>(v389);
-                    p80 = v390;
-                  } else {
-                    p80 = 0.0f;
-                  }
-                } else {
-                  p80 = bitcast<f32>(bits_7f800000);
-                }
-              } else {
-                p80 = v21;
-              }
-              p239 = false;
+          let v74 = (bitcast<i32>(v774) >= bitcast<i32>(8u));
+          if v74 {
+            let v75 = (bitcast<i32>(v774) >= bitcast<i32>(9u));
+            if v75 {
+              let v632 = (v21 < v22);
+              let v633 = select(v22, v21, v632);
+              p76 = v633;
+              p622 = false;
             } else {
-              p239 = true;
+              p622 = true;
             }
-            let v239 = p239;
-            if v239 {
-              let v829 = abs(v21);
-              let v241 = bitcast<u32>(v829);
-              let v243 = (bitcast<i32>(v753) >= bitcast<i32>(0u));
-              if v243 {
-                let v244 = (bitcast<i32>(v753) >= bitcast<i32>(2139095040u));
-                if v244 {
-                  let v247 = (v753 != 2139095040u);
-                  p253 = v247;
-                  p249 = false;
-                } else {
-                  p253 = false;
-                  p249 = true;
-                }
-                let v249 = p249;
-                if v249 {
-                  let v250 = (v753 != 0u);
-                  p253 = v250;
-                }
-                p246 = false;
+            let v622 = p622;
+            if v622 {
+              let v779 = bitcast<u32>(i32(v21));
+              let v780 = (v21 > -2147483600.0f);
+              let v781 = select(2147483648u, v779, v780);
+              let v782 = (v21 >= 2147483600.0f);
+              let v783 = select(v781, 2147483647u, v782);
+              let v784 = (v775 & 2147483647u);
+              let v785 = (v784 > 2139095040u);
+              let v786 = select(v783, 0u, v785);
+              let v624 = f32(bitcast<i32>(v786));
+              let v625 = (v624 > v21);
+              let v626 = select(0u, 4294967295u, v625);
+              let v627 = (v786 + v626);
+              let v628 = f32(bitcast<i32>(v627));
+              let v630 = bitcast<f32>(v784);
+              let v631 = !(v630 < 8388608.0f);
+              if v631 {
+                p76 = v21;
               } else {
-                p253 = false;
-                p246 = true;
-              }
-              let v246 = p246;
-              if v246 {
-                let v252 = (v753 != 2147483648u);
-                p253 = v252;
-              }
-              let v253 = p253;
-              if v253 {
-                let v254 = (v753 <= 2139095040u);
-                if v254 {
-                  let v255 = (v241 <= 8388607u);
-                  if v255 {
-                    let v830 = countLeadingZeros(v241);
-                    let v257 = (v830 + 4294967288u);
-                    let v258 = (v241 << (v257 & 31u));
-                    let v259 = (4294967155u - v830);
-                    p269 = v258;
-                    p268 = v259;
-                    p262 = false;
-                  } else {
-                    p262 = true;
-                  }
-                  let v262 = p262;
-                  if v262 {
-                    let v263 = (v241 & 8388607u);
-                    let v264 = (v263 | 8388608u);
-                    let v265 = (v241 >> (23u & 31u));
-                    let v266 = (v265 + 4294967146u);
-                    p268 = v266;
-                    p269 = v264;
-                  }
-                  let v268 = p268;
-                  let v269 = p269;
-                  let v270 = (v268 & 1u);
-                  let v271 = (v269 << (v270 & 31u));
-                  let v272 = (v271 >= 16777216u);
-                  let v273 = bitcast<u32>(bitcast<i32>(v268) >> (1u & 31u));
-                  let v274 = f32(v271);
-                  let v831 = sqrt(v274);
-                  if v272 {
-                    let v276 = (v273 + 139u);
-                    let v277 = (v831 * 2048.0f);
-                    let v832 = u32(v277);
-                    let v833 = (v277 > 0.0f);
-                    let v834 = select(0u, v832, v833);
-                    let v835 = (v277 >= 4294967300.0f);
-                    let v836 = select(v834, 4294967295u, v835);
-                    let v279 = (v836 + 4294967272u);
-                    let v280 = (v271 << (22u & 31u));
-                    let v281 = (v279 * v279);
-                    let v282 = (v280 - v281);
-                    let v283 = f32(v282);
-                    let v284 = f32(v279);
-                    let v285 = (0.5f / v284);
-                    let v286 = (v285 * v283);
-                    let v837 = u32(v286);
-                    let v838 = (v286 > 0.0f);
-                    let v839 = select(0u, v837, v838);
-                    let v840 = (v286 >= 4294967300.0f);
-                    let v841 = select(v839, 4294967295u, v840);
-                    let v288 = (v279 << (1u & 31u));
-                    let v289 = (v841 + v288);
-                    let v290 = (v289 * v841);
-                    let v291 = (v282 - v290);
-                    let v292 = (v841 + v279);
-                    let v293 = (bitcast<i32>(v291) >= bitcast<i32>(0u));
-                    if v293 {
-                      let v294 = (v292 << (1u & 31u));
-                      let v295 = (v291 > v294);
-                      if v295 {
-                        let v303 = (v292 + 1u);
-                        let v304 = (v294 ^ 4294967295u);
-                        let v305 = (v291 + v304);
-                        p307 = v305;
-                        p308 = v303;
-                      } else {
-                        p307 = v291;
-                        p308 = v292;
-                      }
-                      p298 = false;
-                    } else {
-                      p298 = true;
-                    }
-                    let v298 = p298;
-                    if v298 {
-                      let v299 = (v292 + 4294967295u);
-                      let v300 = (v292 << (1u & 31u));
-                      let v301 = (v300 + 4294967295u);
-                      let v302 = (v301 + v291);
-                      p307 = v302;
-                      p308 = v299;
-                    }
-                    p350 = v276;
-                    p309 = false;
-                  } else {
-                    p309 = true;
-                  }
-                  let v307 = p307;
-                  let v308 = p308;
-                  let v309 = p309;
-                  if v309 {
-                    let v310 = (v273 + 138u);
-                    let v311 = (v831 * 4096.0f);
-                    let v842 = u32(v311);
-                    let v843 = (v311 > 0.0f);
-                    let v844 = select(0u, v842, v843);
-                    let v845 = (v311 >= 4294967300.0f);
-                    let v846 = select(v844, 4294967295u, v845);
-                    let v313 = (v846 + 4294967272u);
-                    let v314 = (v271 << (24u & 31u));
-                    let v315 = (v313 * v313);
-                    let v316 = (v314 - v315);
-                    let v317 = f32(v316);
-                    let v318 = f32(v313);
-                    let v319 = (0.5f / v318);
-                    let v320 = (v319 * v317);
-                    let v847 = u32(v320);
-                    let v848 = (v320 > 0.0f);
-                    let v849 = select(0u, v847, v848);
-                    let v850 = (v320 >= 4294967300.0f);
-                    let v851 = select(v849, 4294967295u, v850);
-                    let v322 = (v313 << (1u & 31u));
-                    let v323 = (v851 + v322);
-                    let v324 = (v323 * v851);
-                    let v325 = (v316 - v324);
-                    let v326 = (v851 + v313);
-                    let v327 = (bitcast<i32>(v325) >= bitcast<i32>(0u));
-                    if v327 {
-                      let v328 = (v326 << (1u & 31u));
-                      let v329 = (v325 > v328);
-                      if v329 {
-                        let v337 = (v326 + 1u);
-                        let v338 = (v328 ^ 4294967295u);
-                        let v339 = (v325 + v338);
-                        p349 = v339;
-                        p348 = v337;
-                      } else {
-                        p349 = v325;
-                        p348 = v326;
-                      }
-                      p332 = false;
-                    } else {
-                      p332 = true;
-                    }
-                    let v332 = p332;
-                    if v332 {
-                      let v333 = (v326 + 4294967295u);
-                      let v334 = (v326 << (1u & 31u));
-                      let v335 = (v334 + 4294967295u);
-                      let v336 = (v335 + v325);
-                      p349 = v336;
-                      p348 = v333;
-                    }
-                    p350 = v310;
-                  } else {
-                    p348 = v308;
-                    p349 = v307;
-                  }
-                  let v348 = p348;
-                  let v349 = p349;
-                  let v350 = p350;
-                  let v351 = (v349 > v348);
-                  let v352 = select(0u, 1u, v351);
-                  let v353 = (v350 << (23u & 31u));
-                  let v354 = (v348 + 4286578688u);
-                  let v355 = (v354 + v353);
-                  let v356 = (v355 + v352);
-                  let v357 = bitcast<f32>(v356);
-                  p80 = v357;
-                } else {
-                  p80 = bitcast<f32>(bits_7fc00000);
-                }
-              } else {
-                p80 = v21;
+                p76 = v628;
               }
             }
-            p102 = false;
+            p572 = false;
           } else {
-            p102 = true;
+            p572 = true;
           }
-          let v102 = p102;
-          if v102 {
-            let v103 = (v754 ^ v753);
-            let v104 = (v103 & 2147483648u);
-            let v852 = abs(v21);
-            let v106 = bitcast<u32>(v852);
-            let v853 = abs(v22);
-            let v108 = bitcast<u32>(v853);
-            let v109 = (v106 > 2139095040u);
-            let v110 = (v108 > 2139095040u);
-            let v111 = (v109 | v110);
-            let v112 = (v111 != true);
-            if v112 {
-              let v113 = (v106 != v108);
-              if v113 {
-                let v114 = (v106 == 0u);
-                let v115 = (v108 == 2139095040u);
-                let v116 = (v114 | v115);
-                let v117 = (v116 != true);
-                if v117 {
-                  let v127 = (v108 == 0u);
-                  let v128 = (v106 == 2139095040u);
-                  let v129 = (v128 | v127);
-                  if v129 {
-                    let v132 = (v104 | 2139095040u);
-                    p236 = v132;
-                    p125 = false;
+          let v572 = p572;
+          if v572 {
+            let v573 = (v21 + v22);
+            let v787 = abs(v573);
+            let v575 = bitcast<u32>(v787);
+            let v576 = (v575 <= 2139095040u);
+            if v576 {
+              let v788 = abs(v22);
+              let v789 = abs(v21);
+              let v579 = (v788 > v789);
+              let v580 = select(v789, v788, v579);
+              let v581 = !(v580 == 0.0f);
+              if v581 {
+                let v582 = (v788 < v789);
+                let v583 = select(v789, v788, v582);
+                let v584 = (v583 / v580);
+                let v585 = (v584 < 7.888609e-31f);
+                let v586 = select(v584, 0.0f, v585);
+                let v587 = (v586 * v586);
+                let v588 = (v587 * 0.0028498895f);
+                let v589 = (v588 + -0.016068604f);
+                let v590 = (v587 * v589);
+                let v591 = (v590 + 0.04269143f);
+                let v592 = (v587 * v591);
+                let v593 = (v592 + -0.07504282f);
+                let v594 = (v587 * v593);
+                let v595 = (v594 + 0.10640925f);
+                let v596 = (v587 * v595);
+                let v597 = (v596 + -0.14203641f);
+                let v598 = (v587 * v597);
+                let v599 = (v598 + 0.19992618f);
+                let v600 = (v587 * v599);
+                let v601 = (v600 + -0.33333072f);
+                let v602 = (v587 * v601);
+                let v603 = (v602 + 1.0f);
+                let v604 = (v586 * v603);
+                let v605 = (1.5707964f - v604);
+                let v606 = select(v604, v605, v582);
+                let v607 = (v22 < 0.0f);
+                let v608 = (3.1415927f - v606);
+                let v609 = select(v606, v608, v607);
+                let v790 = abs(v609);
+                let v611 = bitcast<u32>(v790);
+                let v612 = (v775 & 2147483648u);
+                let v613 = (v612 | v611);
+                p619 = v613;
+                p615 = false;
+              } else {
+                p615 = true;
+              }
+              let v615 = p615;
+              if v615 {
+                let v616 = (v775 & 2147483648u);
+                p619 = v616;
+              }
+            } else {
+              p619 = 2143289344u;
+            }
+            let v619 = p619;
+            let v620 = bitcast<f32>(v619);
+            p76 = v620;
+          }
+          p77 = false;
+        } else {
+          p77 = true;
+        }
+        let v76 = p76;
+        let v77 = p77;
+        if v77 {
+          let v78 = (bitcast<i32>(v774) >= bitcast<i32>(6u));
+          if v78 {
+            let v449 = (v22 >= 0.0f);
+            let v450 = (v22 <= 65536.0f);
+            let v451 = (v449 & v450);
+            let v452 = (v451 != true);
+            if v451 {
+              let v791 = bitcast<u32>(i32(v22));
+              let v792 = (v22 > -2147483600.0f);
+              let v793 = select(2147483648u, v791, v792);
+              let v794 = (v22 >= 2147483600.0f);
+              let v795 = select(v793, 2147483647u, v794);
+              let v796 = (v776 & 2147483647u);
+              let v797 = (v796 > 2139095040u);
+              let v798 = select(v795, 0u, v797);
+              let v541 = f32(bitcast<i32>(v798));
+              let v542 = (v22 < v541);
+              let v543 = select(0u, 4294967295u, v542);
+              let v544 = (v798 + v543);
+              let v545 = f32(bitcast<i32>(v544));
+              let v799 = abs(v22);
+              let v547 = (v799 < 8388608.0f);
+              let v548 = select(v22, v545, v547);
+              let v549 = !(v548 == v22);
+              p504 = true;
+              p454 = v549;
+            } else {
+              p504 = false;
+              p454 = v452;
+            }
+            let v454 = p454;
+            if v454 {
+              let v800 = abs(v21);
+              let v456 = bitcast<u32>(v800);
+              let v457 = (v456 <= 8388607u);
+              if v457 {
+                let v801 = countLeadingZeros(v456);
+                let v467 = (v801 + 4294967288u);
+                let v468 = (v456 << (v467 & 31u));
+                let v469 = (4294967155u - v801);
+                let v470 = (v468 != 0u);
+                p471 = v469;
+                p472 = v468;
+                p473 = v470;
+                p461 = false;
+              } else {
+                p473 = false;
+                p461 = true;
+              }
+              let v461 = p461;
+              if v461 {
+                let v462 = (v456 & 8388607u);
+                let v463 = (v462 | 8388608u);
+                let v464 = (v456 >> (23u & 31u));
+                let v465 = (v464 + 4294967146u);
+                p471 = v465;
+                p472 = v463;
+                p473 = true;
+              }
+              let v471 = p471;
+              let v472 = p472;
+              let v473 = p473;
+              if v473 {
+                let v474 = (v775 <= 2139095039u);
+                if v474 {
+                  let v475 = (v472 > 11863283u);
+                  let v476 = select(0u, 4294967295u, v475);
+                  let v477 = select(0u, 1u, v475);
+                  let v478 = (v472 & 8388607u);
+                  let v479 = (v478 | 1065353216u);
+                  let v480 = (v476 << (23u & 31u));
+                  let v481 = (v479 + v480);
+                  let v482 = bitcast<f32>(v481);
+                  let v483 = (v482 + -1.0f);
+                  let v484 = (v482 + 1.0f);
+                  let v485 = (v483 / v484);
+                  let v486 = (v485 * v485);
+                  let v487 = (v471 + 23u);
+                  let v488 = (v487 + v477);
+                  let v489 = f32(bitcast<i32>(v488));
+                  let v490 = (v486 * 0.4317447f);
+                  let v491 = (v490 + 0.57671404f);
+                  let v492 = (v486 * v491);
+                  let v493 = (v492 + 0.96179885f);
+                  let v494 = (v486 * v493);
+                  let v495 = (v494 + 2.88539f);
+                  let v496 = (v485 * v495);
+                  let v497 = (v496 + v489);
+                  p505 = v497;
+                  p499 = false;
+                } else {
+                  p499 = true;
+                }
+                let v499 = p499;
+                if v499 {
+                  let v500 = (v775 == 2139095040u);
+                  let v501 = select(bitcast<f32>(bits_7fc00000), bitcast<f32>(bits_7f800000), v500);
+                  p505 = v501;
+                }
+              } else {
+                p505 = bitcast<f32>(bits_ff800000);
+              }
+              let v505 = p505;
+              let v506 = (v505 * v22);
+              let v802 = abs(v506);
+              let v508 = bitcast<u32>(v802);
+              let v509 = (v508 <= 2139095040u);
+              if v509 {
+                let v510 = !(v506 >= 128.0f);
+                if v510 {
+                  let v511 = !(v506 < -126.0f);
+                  if v511 {
+                    let v512 = (v506 + 0.5f);
+                    let v803 = bitcast<u32>(i32(v512));
+                    let v804 = (v512 > -2147483600.0f);
+                    let v805 = select(2147483648u, v803, v804);
+                    let v806 = (v512 >= 2147483600.0f);
+                    let v807 = select(v805, 2147483647u, v806);
+                    let v808 = bitcast<u32>(v512);
+                    let v809 = (v808 & 2147483647u);
+                    let v810 = (v809 > 2139095040u);
+                    let v811 = select(v807, 0u, v810);
+                    let v514 = f32(bitcast<i32>(v811));
+                    let v515 = (v512 < v514);
+                    let v516 = select(0u, 4294967295u, v515);
+                    let v517 = (v811 + v516);
+                    let v518 = f32(bitcast<i32>(v517));
+                    let v812 = abs(v512);
+                    let v520 = (v812 < 8388608.0f);
+                    let v521 = select(v512, v518, v520);
+                    let v522 = (v506 - v521);
+                    let v523 = (v522 * 0.00015469735f);
+                    let v524 = (v523 + 0.0013390867f);
+                    let v525 = (v522 * v524);
+                    let v526 = (v525 + 0.009618031f);
+                    let v527 = (v522 * v526);
+                    let v528 = (v527 + 0.05550357f);
+                    let v529 = (v522 * v528);
+                    let v530 = (v529 + 0.2402265f);
+                    let v531 = (v522 * v530);
+                    let v532 = (v531 + 0.6931472f);
+                    let v533 = (v522 * v532);
+                    let v534 = (v533 + 1.0f);
+                    let v813 = bitcast<u32>(i32(v521));
+                    let v814 = (v521 > -2147483600.0f);
+                    let v815 = select(2147483648u, v813, v814);
+                    let v816 = (v521 >= 2147483600.0f);
+                    let v817 = select(v815, 2147483647u, v816);
+                    let v818 = bitcast<u32>(v521);
+                    let v819 = (v818 & 2147483647u);
+                    let v820 = (v819 > 2139095040u);
+                    let v821 = select(v817, 0u, v820);
+                    let v536 = bitcast<u32>(v534);
+                    let v537 = (v821 << (23u & 31u));
+                    let v538 = (v537 + v536);
+                    let v539 = bitcast<f32>(v538);
+                    p400 = v539;
                   } else {
-                    p125 = true;
+                    p400 = 0.0f;
                   }
                 } else {
-                  p236 = v104;
-                  p125 = false;
+                  p400 = bitcast<f32>(bits_7f800000);
                 }
-                p126 = false;
               } else {
-                p125 = false;
-                p126 = true;
+                p400 = v506;
               }
-              let v125 = p125;
-              let v126 = p126;
-              if v126 {
-                let v122 = (bitcast<i32>(v106) < bitcast<i32>(2139095040u));
-                if v122 {
-                  let v123 = (v106 != 0u);
-                  p121 = v123;
-                } else {
-                  p121 = v125;
+              p504 = false;
+            }
+            let v504 = p504;
+            if v504 {
+              let v822 = u32(v22);
+              let v823 = (v22 > 0.0f);
+              let v824 = select(0u, v822, v823);
+              let v825 = (v22 >= 4294967300.0f);
+              let v826 = select(v824, 4294967295u, v825);
+              let v551 = (v826 != 0u);
+              if v551 {
+                p553 = v21;
+                p554 = v826;
+                p555 = 1.0f;
+                var done1 = false;
+                loop {
+                  if done1 { break; }
+                  let v553 = p553;
+                  let v554 = p554;
+                  let v555 = p555;
+                  let v556 = (v554 & 1u);
+                  let v557 = (v556 != 0u);
+                  let v827 = abs(v553);
+                  if v557 {
+                    let v559 = (v827 < 1.0842022e-19f);
+                    let v560 = select(v553, 0.0f, v559);
+                    let v561 = (v555 * v560);
+                    let v828 = abs(v561);
+                    let v563 = (v828 < 1.0842022e-19f);
+                    let v564 = select(v561, 0.0f, v563);
+                    p565 = v564;
+                  } else {
+                    p565 = v555;
+                  }
+                  let v565 = p565;
+                  let v566 = (v554 >> (1u & 31u));
+                  let v567 = (v827 < 1.0842022e-19f);
+                  let v568 = select(v553, 0.0f, v567);
+                  let v569 = (v568 * v568);
+                  let v570 = (v566 == 0u);
+                  p553 = v569;
+                  p554 = v566;
+                  p555 = v565;
+                  p400 = v565;
+                  done1 = v570;
                 }
-                p236 = 2143289344u;
               } else {
-                p121 = v125;
+                p400 = 1.0f;
               }
-              let v121 = p121;
-              if v121 {
-                let v134 = (v106 <= 8388607u);
-                if v134 {
-                  let v854 = countLeadingZeros(v106);
-                  let v136 = (v854 + 4294967288u);
-                  let v137 = (v106 << (v136 & 31u));
-                  let v138 = (4294967155u - v854);
-                  p148 = v137;
-                  p147 = v138;
-                  p141 = false;
+            }
+            p401 = false;
+          } else {
+            p401 = true;
+          }
+          let v400 = p400;
+          let v401 = p401;
+          if v401 {
+            let v829 = abs(v21);
+            let v403 = bitcast<u32>(v829);
+            let v404 = (v403 <= 8388607u);
+            if v404 {
+              let v830 = countLeadingZeros(v403);
+              let v414 = (v830 + 4294967288u);
+              let v415 = (v403 << (v414 & 31u));
+              let v416 = (4294967155u - v830);
+              let v417 = (v415 != 0u);
+              p418 = v416;
+              p419 = v415;
+              p420 = v417;
+              p408 = false;
+            } else {
+              p420 = false;
+              p408 = true;
+            }
+            let v408 = p408;
+            if v408 {
+              let v409 = (v403 & 8388607u);
+              let v410 = (v409 | 8388608u);
+              let v411 = (v403 >> (23u & 31u));
+              let v412 = (v411 + 4294967146u);
+              p418 = v412;
+              p419 = v410;
+              p420 = true;
+            }
+            let v418 = p418;
+            let v419 = p419;
+            let v420 = p420;
+            if v420 {
+              let v421 = (v775 <= 2139095039u);
+              if v421 {
+                let v422 = (v419 > 11863283u);
+                let v423 = select(0u, 4294967295u, v422);
+                let v424 = select(0u, 1u, v422);
+                let v425 = (v419 & 8388607u);
+                let v426 = (v425 | 1065353216u);
+                let v427 = (v423 << (23u & 31u));
+                let v428 = (v426 + v427);
+                let v429 = bitcast<f32>(v428);
+                let v430 = (v429 + -1.0f);
+                let v431 = (v429 + 1.0f);
+                let v432 = (v430 / v431);
+                let v433 = (v432 * v432);
+                let v434 = (v418 + 23u);
+                let v435 = (v434 + v424);
+                let v436 = f32(bitcast<i32>(v435));
+                let v437 = (v433 * 0.4317447f);
+                let v438 = (v437 + 0.57671404f);
+                let v439 = (v433 * v438);
+                let v440 = (v439 + 0.96179885f);
+                let v441 = (v433 * v440);
+                let v442 = (v441 + 2.88539f);
+                let v443 = (v432 * v442);
+                let v444 = (v443 + v436);
+                p79 = v444;
+                p446 = false;
+              } else {
+                p446 = true;
+              }
+              let v446 = p446;
+              if v446 {
+                let v447 = (v775 == 2139095040u);
+                let v448 = select(bitcast<f32>(bits_7fc00000), bitcast<f32>(bits_7f800000), v447);
+                p79 = v448;
+              }
+            } else {
+              p79 = bitcast<f32>(bits_ff800000);
+            }
+          } else {
+            p79 = v400;
+          }
+        } else {
+          p79 = v76;
+        }
+        p80 = true;
+        p81 = false;
+      } else {
+        p80 = v27;
+        p81 = true;
+      }
+      let v79 = p79;
+      let v80 = p80;
+      let v81 = p81;
+      if v81 {
+        let v82 = (bitcast<i32>(v774) >= bitcast<i32>(2u));
+        if v82 {
+          let v87 = (bitcast<i32>(v774) >= bitcast<i32>(3u));
+          if v87 {
+            let v88 = (bitcast<i32>(v774) >= bitcast<i32>(4u));
+            if v88 {
+              let v831 = abs(v21);
+              let v368 = bitcast<u32>(v831);
+              let v369 = (v368 <= 2139095040u);
+              if v369 {
+                let v370 = !(v21 >= 128.0f);
+                if v370 {
+                  let v371 = !(v21 < -126.0f);
+                  if v371 {
+                    let v372 = (v21 + 0.5f);
+                    let v832 = bitcast<u32>(i32(v372));
+                    let v833 = (v372 > -2147483600.0f);
+                    let v834 = select(2147483648u, v832, v833);
+                    let v835 = (v372 >= 2147483600.0f);
+                    let v836 = select(v834, 2147483647u, v835);
+                    let v837 = bitcast<u32>(v372);
+                    let v838 = (v837 & 2147483647u);
+                    let v839 = (v838 > 2139095040u);
+                    let v840 = select(v836, 0u, v839);
+                    let v374 = f32(bitcast<i32>(v840));
+                    let v375 = (v372 < v374);
+                    let v376 = select(0u, 4294967295u, v375);
+                    let v377 = (v840 + v376);
+                    let v378 = f32(bitcast<i32>(v377));
+                    let v841 = abs(v372);
+                    let v380 = (v841 < 8388608.0f);
+                    let v381 = select(v372, v378, v380);
+                    let v382 = (v21 - v381);
+                    let v383 = (v382 * 0.00015469735f);
+                    let v384 = (v383 + 0.0013390867f);
+                    let v385 = (v382 * v384);
+                    let v386 = (v385 + 0.009618031f);
+                    let v387 = (v382 * v386);
+                    let v388 = (v387 + 0.05550357f);
+                    let v389 = (v382 * v388);
+                    let v390 = (v389 + 0.2402265f);
+                    let v391 = (v382 * v390);
+                    let v392 = (v391 + 0.6931472f);
+                    let v393 = (v382 * v392);
+                    let v394 = (v393 + 1.0f);
+                    let v842 = bitcast<u32>(i32(v381));
+                    let v843 = (v381 > -2147483600.0f);
+                    let v844 = select(2147483648u, v842, v843);
+                    let v845 = (v381 >= 2147483600.0f);
+                    let v846 = select(v844, 2147483647u, v845);
+                    let v847 = bitcast<u32>(v381);
+                    let v848 = (v847 & 2147483647u);
+                    let v849 = (v848 > 2139095040u);
+                    let v850 = select(v846, 0u, v849);
+                    let v396 = bitcast<u32>(v394);
+                    let v397 = (v850 << (23u & 31u));
+                    let v398 = (v397 + v396);
+                    let v399 = bitcast<f32>(v398);
+                    p89 = v399;
+                  } else {
+                    p89 = 0.0f;
+                  }
                 } else {
-                  p141 = true;
+                  p89 = bitcast<f32>(bits_7f800000);
                 }
-                let v141 = p141;
-                if v141 {
-                  let v142 = (v106 & 8388607u);
-                  let v143 = (v142 | 8388608u);
-                  let v144 = (v106 >> (23u & 31u));
-                  let v145 = (v144 + 4294967146u);
-                  p147 = v145;
-                  p148 = v143;
-                }
-                let v147 = p147;
-                let v148 = p148;
-                let v149 = (v108 <= 8388607u);
-                if v149 {
-                  let v855 = countLeadingZeros(v108);
-                  let v151 = (v855 + 4294967288u);
-                  let v152 = (v108 << (v151 & 31u));
-                  let v153 = (v855 + 141u);
-                  p162 = v152;
-                  p161 = v153;
-                  p156 = false;
+              } else {
+                p89 = v21;
+              }
+              p248 = false;
+            } else {
+              p248 = true;
+            }
+            let v248 = p248;
+            if v248 {
+              let v851 = abs(v21);
+              let v250 = bitcast<u32>(v851);
+              let v252 = (bitcast<i32>(v775) >= bitcast<i32>(0u));
+              if v252 {
+                let v253 = (bitcast<i32>(v775) >= bitcast<i32>(2139095040u));
+                if v253 {
+                  let v256 = (v775 != 2139095040u);
+                  p262 = v256;
+                  p258 = false;
                 } else {
-                  p156 = true;
+                  p262 = false;
+                  p258 = true;
+                }
+                let v258 = p258;
+                if v258 {
+                  let v259 = (v775 != 0u);
+                  p262 = v259;
+                }
+                p255 = false;
+              } else {
+                p262 = false;
+                p255 = true;
+              }
+              let v255 = p255;
+              if v255 {
+                let v261 = (v775 != 2147483648u);
+                p262 = v261;
+              }
+              let v262 = p262;
+              if v262 {
+                let v263 = (v775 <= 2139095040u);
+                if v263 {
+                  let v264 = (v250 <= 8388607u);
+                  if v264 {
+                    let v852 = countLeadingZeros(v250);
+                    let v266 = (v852 + 4294967288u);
+                    let v267 = (v250 << (v266 & 31u));
+                    let v268 = (4294967155u - v852);
+                    p278 = v267;
+                    p277 = v268;
+                    p271 = false;
+                  } else {
+                    p271 = true;
+                  }
+                  let v271 = p271;
+                  if v271 {
+                    let v272 = (v250 & 8388607u);
+                    let v273 = (v272 | 8388608u);
+                    let v274 = (v250 >> (23u & 31u));
+                    let v275 = (v274 + 4294967146u);
+                    p277 = v275;
+                    p278 = v273;
+                  }
+                  let v277 = p277;
+                  let v278 = p278;
+                  let v279 = (v277 & 1u);
+                  let v280 = (v278 << (v279 & 31u));
+                  let v281 = (v280 >= 16777216u);
+                  let v282 = bitcast<u32>(bitcast<i32>(v277) >> (1u & 31u));
+                  let v283 = f32(v280);
+                  let v853 = sqrt(v283);
+                  if v281 {
+                    let v285 = (v282 + 139u);
+                    let v286 = (v853 * 2048.0f);
+                    let v854 = u32(v286);
+                    let v855 = (v286 > 0.0f);
+                    let v856 = select(0u, v854, v855);
+                    let v857 = (v286 >= 4294967300.0f);
+                    let v858 = select(v856, 4294967295u, v857);
+                    let v288 = (v858 + 4294967272u);
+                    let v289 = (v280 << (22u & 31u));
+                    let v290 = (v288 * v288);
+                    let v291 = (v289 - v290);
+                    let v292 = f32(v291);
+                    let v293 = f32(v288);
+                    let v294 = (0.5f / v293);
+                    let v295 = (v294 * v292);
+                    let v859 = u32(v295);
+                    let v860 = (v295 > 0.0f);
+                    let v861 = select(0u, v859, v860);
+                    let v862 = (v295 >= 4294967300.0f);
+                    let v863 = select(v861, 4294967295u, v862);
+                    let v297 = (v288 << (1u & 31u));
+                    let v298 = (v863 + v297);
+                    let v299 = (v298 * v863);
+                    let v300 = (v291 - v299);
+                    let v301 = (v863 + v288);
+                    let v302 = (bitcast<i32>(v300) >= bitcast<i32>(0u));
+                    if v302 {
+                      let v303 = (v301 << (1u & 31u));
+                      let v304 = (v300 > v303);
+                      if v304 {
+                        let v312 = (v301 + 1u);
+                        let v313 = (v303 ^ 4294967295u);
+                        let v314 = (v300 + v313);
+                        p316 = v314;
+                        p317 = v312;
+                      } else {
+                        p316 = v300;
+                        p317 = v301;
+                      }
+                      p307 = false;
+                    } else {
+                      p307 = true;
+                    }
+                    let v307 = p307;
+                    if v307 {
+                      let v308 = (v301 + 4294967295u);
+                      let v309 = (v301 << (1u & 31u));
+                      let v310 = (v309 + 4294967295u);
+                      let v311 = (v310 + v300);
+                      p316 = v311;
+                      p317 = v308;
+                    }
+                    p359 = v285;
+                    p318 = false;
+                  } else {
+                    p318 = true;
+                  }
+                  let v316 = p316;
+                  let v317 = p317;
+                  let v318 = p318;
+                  if v318 {
+                    let v319 = (v282 + 138u);
+                    let v320 = (v853 * 4096.0f);
+                    let v864 = u32(v320);
+                    let v865 = (v320 > 0.0f);
+                    let v866 = select(0u, v864, v865);
+                    let v867 = (v320 >= 4294967300.0f);
+                    let v868 = select(v866, 4294967295u, v867);
+                    let v322 = (v868 + 4294967272u);
+                    let v323 = (v280 << (24u & 31u));
+                    let v324 = (v322 * v322);
+                    let v325 = (v323 - v324);
+                    let v326 = f32(v325);
+                    let v327 = f32(v322);
+                    let v328 = (0.5f / v327);
+                    let v329 = (v328 * v326);
+                    let v869 = u32(v329);
+                    let v870 = (v329 > 0.0f);
+                    let v871 = select(0u, v869, v870);
+                    let v872 = (v329 >= 4294967300.0f);
+                    let v873 = select(v871, 4294967295u, v872);
+                    let v331 = (v322 << (1u & 31u));
+                    let v332 = (v873 + v331);
+                    let v333 = (v332 * v873);
+                    let v334 = (v325 - v333);
+                    let v335 = (v873 + v322);
+                    let v336 = (bitcast<i32>(v334) >= bitcast<i32>(0u));
+                    if v336 {
+                      let v337 = (v335 << (1u & 31u));
+                      let v338 = (v334 > v337);
+                      if v338 {
+                        let v346 = (v335 + 1u);
+                        let v347 = (v337 ^ 4294967295u);
+                        let v348 = (v334 + v347);
+                        p358 = v348;
+                        p357 = v346;
+                      } else {
+                        p358 = v334;
+                        p357 = v335;
+                      }
+                      p341 = false;
+                    } else {
+                      p341 = true;
+                    }
+                    let v341 = p341;
+                    if v341 {
+                      let v342 = (v335 + 4294967295u);
+                      let v343 = (v335 << (1u & 31u));
+                      let v344 = (v343 + 4294967295u);
+                      let v345 = (v344 + v334);
+                      p358 = v345;
+                      p357 = v342;
+                    }
+                    p359 = v319;
+                  } else {
+                    p357 = v317;
+                    p358 = v316;
+                  }
+                  let v357 = p357;
+                  let v358 = p358;
+                  let v359 = p359;
+                  let v360 = (v358 > v357);
+                  let v361 = select(0u, 1u, v360);
+                  let v362 = (v359 << (23u & 31u));
+                  let v363 = (v357 + 4286578688u);
+                  let v364 = (v363 + v362);
+                  let v365 = (v364 + v361);
+                  let v366 = bitcast<f32>(v365);
+                  p89 = v366;
+                } else {
+                  p89 = bitcast<f32>(bits_7fc00000);
+                }
+              } else {
+                p89 = v21;
+              }
+            }
+            p111 = false;
+          } else {
+            p111 = true;
+          }
+          let v111 = p111;
+          if v111 {
+            let v112 = (v776 ^ v775);
+            let v113 = (v112 & 2147483648u);
+            let v874 = abs(v21);
+            let v115 = bitcast<u32>(v874);
+            let v875 = abs(v22);
+            let v117 = bitcast<u32>(v875);
+            let v118 = (v115 > 2139095040u);
+            let v119 = (v117 > 2139095040u);
+            let v120 = (v118 | v119);
+            let v121 = (v120 != true);
+            if v121 {
+              let v122 = (v115 != v117);
+              if v122 {
+                let v123 = (v115 == 0u);
+                let v124 = (v117 == 2139095040u);
+                let v125 = (v123 | v124);
+                let v126 = (v125 != true);
+                if v126 {
+                  let v136 = (v117 == 0u);
+                  let v137 = (v115 == 2139095040u);
+                  let v138 = (v137 | v136);
+                  if v138 {
+                    let v141 = (v113 | 2139095040u);
+                    p245 = v141;
+                    p134 = false;
+                  } else {
+                    p134 = true;
+                  }
+                } else {
+                  p245 = v113;
+                  p134 = false;
+                }
+                p135 = false;
+              } else {
+                p134 = false;
+                p135 = true;
+              }
+              let v134 = p134;
+              let v135 = p135;
+              if v135 {
+                let v131 = (bitcast<i32>(v115) < bitcast<i32>(2139095040u));
+                if v131 {
+                  let v132 = (v115 != 0u);
+                  p130 = v132;
+                } else {
+                  p130 = v134;
+                }
+                p245 = 2143289344u;
+              } else {
+                p130 = v134;
+              }
+              let v130 = p130;
+              if v130 {
+                let v143 = (v115 <= 8388607u);
+                if v143 {
+                  let v876 = countLeadingZeros(v115);
+                  let v145 = (v876 + 4294967288u);
+                  let v146 = (v115 << (v145 & 31u));
+                  let v147 = (4294967155u - v876);
+                  p157 = v146;
+                  p156 = v147;
+                  p150 = false;
+                } else {
+                  p150 = true;
+                }
+                let v150 = p150;
+                if v150 {
+                  let v151 = (v115 & 8388607u);
+                  let v152 = (v151 | 8388608u);
+                  let v153 = (v115 >> (23u & 31u));
+                  let v154 = (v153 + 4294967146u);
+                  p156 = v154;
+                  p157 = v152;
                 }
                 let v156 = p156;
-                if v156 {
-                  let v157 = (v108 & 8388607u);
-                  let v158 = (v157 | 8388608u);
-                  let v159 = (v108 >> (23u & 31u));
-                  let v160 = (150u - v159);
-                  p161 = v160;
-                  p162 = v158;
-                }
-                let v161 = p161;
-                let v162 = p162;
-                let v163 = (v148 < v162);
-                let v164 = select(0u, 4294967295u, v163);
-                let v165 = select(0u, 1u, v163);
-                let v166 = (v147 + 4294967273u);
-                let v167 = (v166 + v161);
-                let v168 = (v167 + v164);
-                let v169 = (v148 << (v165 & 31u));
-                let v170 = f32(v162);
-                let v171 = (1.0f / v170);
-                let v172 = f32(v169);
-                let v173 = (v171 * v172);
-                let v174 = (v173 * 8388608.0f);
-                let v856 = u32(v174);
-                let v857 = (v174 > 0.0f);
-                let v858 = select(0u, v856, v857);
-                let v859 = (v174 >= 4294967300.0f);
-                let v860 = select(v858, 4294967295u, v859);
-                let v176 = (v860 + 4294967264u);
-                let v177 = (v169 << (23u & 31u));
-                let v178 = (v176 * v162);
-                let v179 = (v177 - v178);
-                let v180 = f32(v179);
-                let v181 = (v171 * v180);
-                let v861 = u32(v181);
-                let v862 = (v181 > 0.0f);
-                let v863 = select(0u, v861, v862);
-                let v864 = (v181 >= 4294967300.0f);
-                let v865 = select(v863, 4294967295u, v864);
-                let v183 = (v865 + v176);
-                let v184 = (v865 * v162);
-                let v185 = (v179 - v184);
-                let v186 = (bitcast<i32>(v185) >= bitcast<i32>(v162));
-                if v186 {
-                  let v191 = (v183 + 1u);
-                  let v192 = (v185 - v162);
-                  p198 = v191;
-                  p197 = v192;
-                  p189 = false;
+                let v157 = p157;
+                let v158 = (v117 <= 8388607u);
+                if v158 {
+                  let v877 = countLeadingZeros(v117);
+                  let v160 = (v877 + 4294967288u);
+                  let v161 = (v117 << (v160 & 31u));
+                  let v162 = (v877 + 141u);
+                  p171 = v161;
+                  p170 = v162;
+                  p165 = false;
                 } else {
-                  p189 = true;
+                  p165 = true;
                 }
-                let v189 = p189;
-                if v189 {
-                  let v190 = (bitcast<i32>(v185) < bitcast<i32>(0u));
-                  if v190 {
-                    let v193 = (v183 + 4294967295u);
-                    let v194 = (v185 + v162);
-                    p198 = v193;
-                    p197 = v194;
+                let v165 = p165;
+                if v165 {
+                  let v166 = (v117 & 8388607u);
+                  let v167 = (v166 | 8388608u);
+                  let v168 = (v117 >> (23u & 31u));
+                  let v169 = (150u - v168);
+                  p170 = v169;
+                  p171 = v167;
+                }
+                let v170 = p170;
+                let v171 = p171;
+                let v172 = (v157 < v171);
+                let v173 = select(0u, 4294967295u, v172);
+                let v174 = select(0u, 1u, v172);
+                let v175 = (v156 + 4294967273u);
+                let v176 = (v175 + v170);
+                let v177 = (v176 + v173);
+                let v178 = (v157 << (v174 & 31u));
+                let v179 = f32(v171);
+                let v180 = (1.0f / v179);
+                let v181 = f32(v178);
+                let v182 = (v180 * v181);
+                let v183 = (v182 * 8388608.0f);
+                let v878 = u32(v183);
+                let v879 = (v183 > 0.0f);
+                let v880 = select(0u, v878, v879);
+                let v881 = (v183 >= 4294967300.0f);
+                let v882 = select(v880, 4294967295u, v881);
+                let v185 = (v882 + 4294967264u);
+                let v186 = (v178 << (23u & 31u));
+                let v187 = (v185 * v171);
+                let v188 = (v186 - v187);
+                let v189 = f32(v188);
+                let v190 = (v180 * v189);
+                let v883 = u32(v190);
+                let v884 = (v190 > 0.0f);
+                let v885 = select(0u, v883, v884);
+                let v886 = (v190 >= 4294967300.0f);
+                let v887 = select(v885, 4294967295u, v886);
+                let v192 = (v887 + v185);
+                let v193 = (v887 * v171);
+                let v194 = (v188 - v193);
+                let v195 = (bitcast<i32>(v194) >= bitcast<i32>(v171));
+                if v195 {
+                  let v200 = (v192 + 1u);
+                  let v201 = (v194 - v171);
+                  p207 = v200;
+                  p206 = v201;
+                  p198 = false;
+                } else {
+                  p198 = true;
+                }
+                let v198 = p198;
+                if v198 {
+                  let v199 = (bitcast<i32>(v194) < bitcast<i32>(0u));
+                  if v199 {
+                    let v202 = (v192 + 4294967295u);
+                    let v203 = (v194 + v171);
+                    p207 = v202;
+                    p206 = v203;
                   } else {
-                    p198 = v183;
-                    p197 = v185;
+                    p207 = v192;
+                    p206 = v194;
                   }
                 }
-                let v197 = p197;
-                let v198 = p198;
-                let v199 = (v197 << (1u & 31u));
-                let v200 = (bitcast<i32>(v168) <= bitcast<i32>(4294967146u));
-                if v200 {
-                  let v201 = (v168 >= 4294967122u);
-                  if v201 {
-                    let v217 = (4294967147u - v168);
-                    let v218 = (v198 >> (v217 & 31u));
-                    let v219 = (4294967295u << (v217 & 31u));
-                    let v220 = (v219 ^ 4294967295u);
-                    let v221 = (v198 & v220);
-                    let v222 = (4294967146u - v168);
-                    let v223 = (1u << (v222 & 31u));
-                    let v224 = (v221 <= v223);
-                    if v224 {
-                      let v225 = (v221 == v223);
-                      if v225 {
-                        let v226 = (v199 == 0u);
-                        let v227 = (v218 & 1u);
-                        let v228 = select(1u, v227, v226);
-                        p231 = v228;
+                let v206 = p206;
+                let v207 = p207;
+                let v208 = (v206 << (1u & 31u));
+                let v209 = (bitcast<i32>(v177) <= bitcast<i32>(4294967146u));
+                if v209 {
+                  let v210 = (v177 >= 4294967122u);
+                  if v210 {
+                    let v226 = (4294967147u - v177);
+                    let v227 = (v207 >> (v226 & 31u));
+                    let v228 = (4294967295u << (v226 & 31u));
+                    let v229 = (v228 ^ 4294967295u);
+                    let v230 = (v207 & v229);
+                    let v231 = (4294967146u - v177);
+                    let v232 = (1u << (v231 & 31u));
+                    let v233 = (v230 <= v232);
+                    if v233 {
+                      let v234 = (v230 == v232);
+                      if v234 {
+                        let v235 = (v208 == 0u);
+                        let v236 = (v227 & 1u);
+                        let v237 = select(1u, v236, v235);
+                        p240 = v237;
                       } else {
-                        p231 = 0u;
+                        p240 = 0u;
                       }
                     } else {
-                      p231 = 1u;
+                      p240 = 1u;
                     }
-                    let v231 = p231;
-                    let v232 = (v231 + v218);
-                    p233 = v232;
+                    let v240 = p240;
+                    let v241 = (v240 + v227);
+                    p242 = v241;
                   } else {
-                    p233 = 0u;
+                    p242 = 0u;
                   }
-                  p203 = false;
+                  p212 = false;
                 } else {
-                  p203 = true;
+                  p212 = true;
                 }
-                let v203 = p203;
-                if v203 {
-                  let v204 = (v199 > v162);
-                  let v205 = (v199 == v162);
-                  let v206 = (v198 & 1u);
-                  let v207 = select(0u, v206, v205);
-                  let v208 = select(v207, 1u, v204);
-                  let v209 = (v168 << (23u & 31u));
-                  let v210 = (v209 + 1249902592u);
-                  let v211 = (v210 + v198);
-                  let v212 = (v211 + v208);
-                  let v213 = (bitcast<i32>(v168) > bitcast<i32>(104u));
-                  let v214 = (v212 > 2139095039u);
-                  let v215 = (v213 | v214);
-                  let v216 = select(v212, 2139095040u, v215);
-                  p233 = v216;
+                let v212 = p212;
+                if v212 {
+                  let v213 = (v208 > v171);
+                  let v214 = (v208 == v171);
+                  let v215 = (v207 & 1u);
+                  let v216 = select(0u, v215, v214);
+                  let v217 = select(v216, 1u, v213);
+                  let v218 = (v177 << (23u & 31u));
+                  let v219 = (v218 + 1249902592u);
+                  let v220 = (v219 + v207);
+                  let v221 = (v220 + v217);
+                  let v222 = (bitcast<i32>(v177) > bitcast<i32>(104u));
+                  let v223 = (v221 > 2139095039u);
+                  let v224 = (v222 | v223);
+                  let v225 = select(v221, 2139095040u, v224);
+                  p242 = v225;
                 }
-                let v233 = p233;
-                let v234 = (v233 | v104);
-                p236 = v234;
+                let v242 = p242;
+                let v243 = (v242 | v113);
+                p245 = v243;
               }
             } else {
-              p236 = 2143289344u;
+              p245 = 2143289344u;
             }
-            let v236 = p236;
-            let v237 = bitcast<f32>(v236);
-            p80 = v237;
+            let v245 = p245;
+            let v246 = bitcast<f32>(v245);
+            p89 = v246;
           }
-          p81 = true;
-          p82 = false;
+          p90 = true;
+          p91 = false;
         } else {
-          p81 = v71;
-          p82 = true;
+          p90 = v80;
+          p91 = true;
         }
-        let v80 = p80;
-        let v81 = p81;
-        let v82 = p82;
-        if v82 {
-          let v83 = (bitcast<i32>(v752) >= bitcast<i32>(1u));
-          if v83 {
-            let v866 = sqrt(v21);
-            p736 = v866;
-            p737 = true;
-            p86 = false;
+        let v89 = p89;
+        let v90 = p90;
+        let v91 = p91;
+        if v91 {
+          let v92 = (bitcast<i32>(v774) >= bitcast<i32>(1u));
+          if v92 {
+            let v888 = sqrt(v21);
+            p759 = v888;
+            p760 = true;
+            p95 = false;
           } else {
-            p737 = v81;
-            p86 = true;
+            p760 = v90;
+            p95 = true;
           }
-          let v86 = p86;
-          if v86 {
-            let v87 = (v752 != 0u);
-            p94 = true;
-            p63 = v87;
+          let v95 = p95;
+          if v95 {
+            let v96 = (v774 != 0u);
+            p103 = true;
+            p72 = v96;
           } else {
-            p94 = false;
-            p63 = v28;
+            p103 = false;
+            p72 = v28;
           }
         } else {
-          p736 = v80;
-          p737 = v81;
-          p94 = false;
-          p63 = v28;
+          p759 = v89;
+          p760 = v90;
+          p103 = false;
+          p72 = v28;
         }
       } else {
-        p736 = v70;
-        p737 = v71;
-        p94 = false;
-        p63 = v28;
+        p759 = v79;
+        p760 = v80;
+        p103 = false;
+        p72 = v28;
       }
     } else {
-      p736 = v25;
-      p737 = v27;
-      p94 = false;
-      p63 = v28;
+      p759 = v25;
+      p760 = v27;
+      p103 = false;
+      p72 = v28;
     }
-    let v63 = p63;
-    if v63 {
-      let v90 = -(v22);
-      let v867 = fma(v21, v21, v90);
-      p736 = v867;
-      p737 = true;
-      p94 = false;
+    let v72 = p72;
+    if v72 {
+      let v99 = -(v22);
+      let v889 = fma(v21, v21, v99);
+      p759 = v889;
+      p760 = true;
+      p103 = false;
     }
-    let v94 = p94;
-    if v94 {
-      let v95 = (v21 / v22);
-      p736 = v95;
-      p737 = true;
+    let v103 = p103;
+    if v103 {
+      let v104 = (v21 / v22);
+      p759 = v104;
+      p760 = true;
     }
-    let v736 = p736;
-    let v737 = p737;
-    if v737 {
-      let v738 = bitcast<u32>(v736);
-      p740 = v738;
+    let v759 = p759;
+    let v760 = p760;
+    if v760 {
+      let v761 = bitcast<u32>(v759);
+      p762 = v761;
     }
-    let v740 = p740;
-    r2[v746] = v740;
+    let v762 = p762;
+    r2[v768] = v762;
   }
   return;
 }

@@ -10,7 +10,8 @@ fn split(x: f32) -> (f32, f32) {
     (high, x - high)
 }
 
-/// `a·b − product` for `product` = fl(`a·b`), exactly, unless something over- or underflows (factors and product from 2⁻⁷⁸ to 2¹⁰⁰ are safe).
+/// `a·b − product` for `product` = fl(`a·b`), exactly, unless something over- or underflows (factors and product from 2⁻⁷⁸ to 2¹⁰⁰ are
+/// safe).
 #[inline(always)]
 pub fn product_error(a: f32, b: f32, product: f32) -> f32 {
     let ((a_high, a_low), (b_high, b_low)) = (split(a), split(b));

@@ -75,7 +75,62 @@ pub fn square_roots_are_correctly_rounded(suite: &mut Suite) -> Outcome {
     Ok(())
 }
 
-/// Elementary functions within the bounds that their docs state, against f64; the same bits on both backends.
+/// A function that is compared with f64.
+struct Function {
+    name: &'static str,
+    operation: u32,
+    exact: fn(f64, f64) -> f64,
+    /// Whether its documentation allows a result.
+    allows: fn(&Beside64) -> bool,
+}
+
+/// A result beside f64's.
+struct Beside64 {
+    a: f64,
+    b: f64,
+    truth: f64,
+    /// The error in units of the last place of the truth.
+    ulps: f64,
+    /// The error as a share of the truth.
+    share: f64,
+}
+
+const POWER_OF_TWO: Function =
+    Function { name: "2^", operation: EXP2, exact: |x, _| x.exp2(), allows: |found| found.ulps <= 1.5 };
+const LOGARITHM: Function =
+    Function { name: "log₂", operation: LOG2, exact: |x, _| x.log2(), allows: |found| found.ulps <= 3.0 };
+const POWER: Function = Function { name: "^", operation: POW, exact: f64::powf, allows: allows_power };
+const ANGLE: Function = Function { name: "atan2", operation: ATAN2, exact: f64::atan2, allows: allows_angle };
+
+/// Where the power is an ordinary number, and no square on the way vanishes.
+fn allows_power(found: &Beside64) -> bool {
+    let Beside64 { a: x, b: y, share, .. } = *found;
+    let exponent = y * x.log2();
+    let whole = if y.fract() == 0.0 { y } else { 0.0 };
+    let bound = (2.0 + 2.0 * exponent.abs() + whole) * f64::from(f32::EPSILON);
+    !(-62.0..126.0).contains(&exponent) || share <= bound
+}
+
+fn allows_angle(found: &Beside64) -> bool {
+    let Beside64 { a: y, b: x, truth, ulps, share } = *found;
+    share * truth.abs() <= 4e-7 && (y.abs() > x || ulps <= 4.0)
+}
+
+impl Function {
+    fn assert_bounded(&self, suite: &mut Suite, a: &[u32], b: &[u32]) -> Outcome {
+        let results = suite.same_values(self.name, self.operation, a, b)?;
+        for ((a, b), result) in a.iter().zip(b).zip(results) {
+            let [a, b] = [*a, *b].map(|word| f64::from(f32::from_bits(word)));
+            let (truth, value) = ((self.exact)(a, b), f32::from_bits(result));
+            let share = (f64::from(value) / truth - 1.0).abs();
+            let found = Beside64 { a, b, truth, ulps: ulps(result, truth), share };
+            suite.check((self.allows)(&found), || format!("{a} {} {b} is {truth}, not {value}", self.name));
+        }
+        Ok(())
+    }
+}
+
+/// Elementary functions within the bounds that their documentation states, against f64; the same bits on both backends.
 pub fn elementary_functions_keep_their_bounds(suite: &mut Suite) -> Outcome {
     const COUNT: usize = 200_000;
     let mut random = Random(5);
@@ -83,47 +138,16 @@ pub fn elementary_functions_keep_their_bounds(suite: &mut Suite) -> Outcome {
         (0..COUNT).map(|_| (low + (high - low) * random.unit()).to_bits()).collect()
     };
     let exponents = between(-126.0, 128.0);
-    bounded(suite, "2^x", EXP2, &exponents, &exponents, |x, _| x.exp2(), |_, _, ulps, _| ulps <= 1.5)?;
+    POWER_OF_TWO.assert_bounded(suite, &exponents, &exponents)?;
     let mut positive = between(0.5, 2.0);
     positive.extend((0..COUNT as u32).map(|i| i * 10_650 + 1));
     positive.retain(|x| f32::from_bits(*x) != 1.0);
-    bounded(suite, "log₂", LOG2, &positive, &positive, |x, _| x.log2(), |_, _, ulps, _| ulps <= 3.0)?;
+    LOGARITHM.assert_bounded(suite, &positive, &positive)?;
     let (bases, mut powers) = (between(0.0, 1.3), between(0.0, 300.0));
     powers.iter_mut().step_by(2).for_each(|y| *y = f32::from_bits(*y).floor().to_bits());
-    bounded(suite, "^", POW, &bases, &powers, f64::powf, |x, y, _, share| {
-        // Where the power is an ordinary number.
-        let magnitude = y * x.log2();
-        let whole = if y.fract() == 0.0 { y } else { 0.0 };
-        let bound = (2.0 + 2.0 * magnitude.abs() + whole) * f64::from(f32::EPSILON);
-        !(-62.0..126.0).contains(&magnitude) || share <= bound
-    })?;
+    POWER.assert_bounded(suite, &bases, &powers)?;
     let (ys, xs) = (between(-1.0, 1.0), between(-1.0, 1.0));
-    bounded(suite, "atan2", ATAN2, &ys, &xs, f64::atan2, |y, x, ulps, share| {
-        let angle = y.atan2(x);
-        share * angle.abs() <= 4e-7 && (y.abs() > x || ulps <= 4.0)
-    })
-}
-
-/// Compares a function with f64: `holds` is told both operands, the error in ULP and as a share of the result.
-fn bounded(
-    suite: &mut Suite,
-    name: &str,
-    operation: u32,
-    a: &[u32],
-    b: &[u32],
-    exact: impl Fn(f64, f64) -> f64,
-    holds: impl Fn(f64, f64, f64, f64) -> bool,
-) -> Outcome {
-    let results = suite.same_values(name, operation, a, b)?;
-    for ((a, b), result) in a.iter().zip(b).zip(results) {
-        let [a, b] = [*a, *b].map(|word| f64::from(f32::from_bits(word)));
-        let truth = exact(a, b);
-        let share = (f64::from(f32::from_bits(result)) / truth - 1.0).abs();
-        suite.check(holds(a, b, ulps(result, truth), share), || {
-            format!("{name} of {a} and {b} is {truth}, not {}", f32::from_bits(result))
-        });
-    }
-    Ok(())
+    ANGLE.assert_bounded(suite, &ys, &xs)
 }
 
 /// Sums, products, their errors, the smaller and the larger one, and whole numbers: of ordinary operands with ordinary results, and of

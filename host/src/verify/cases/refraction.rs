@@ -22,7 +22,7 @@ fn exact(cos_i: f64, eta: f64) -> f64 {
 
 /// Cosines of every exponent and around the critical angle, indices down to one ULP from 1.
 ///
-/// Guard: total reflection is decided before the root (`fresnel::refracted_cosine`). The clamp of the share to 0 ..= 1 is not needed by these.
+/// Guard: total reflection is decided before the root (`fresnel::refracted_cosine`).
 pub fn fresnels_share_is_a_share(suite: &mut Suite) -> Outcome {
     let near = |x: f32, ulps: i32| f32::from_bits((x.to_bits() as i32 + ulps) as u32);
     let mut etas = vec![1.0f32, 1.33, 1.5, 2.4, 1.0 / 1.33, 1.0 / 1.5, 1.0 / 2.4, 1e-3, 1e3];
