@@ -25,8 +25,8 @@ use rules::Exact;
 /// The nearest hit, `t_min <= t < t_max`; of several at the same `t` the one with the smallest primitive number.
 ///
 /// `rows` is what `parallax::build` makes (a structure with links out of range panics on a CPU), `extent` the largest absolute
-/// coordinate of its primitives. Components of the direction may be zero, −0 or denormal as long as one is longer than 10⁻¹⁸. A `t_min`
-/// below zero counts as zero. A ray with a NaN, or an infinity in its origin or direction, hits nothing. `t` may be −0 where `t_min` is 0.
+/// coordinate of its primitives. Components of the direction may be zero, −0 or denormal as long as one is longer than 10⁻¹¹; of
+/// shorter directions the limit of 1/d loses hits, below 10⁻¹⁸ all. A `t_min` below zero counts as zero. A ray with a NaN, or an infinity in its origin or direction, hits nothing. `t` may be −0 where `t_min` is 0.
 #[inline(always)]
 pub fn closest_hit(rows: &[Row], ray: &Ray, extent: f32) -> Hit {
     walk::walk::<Exact, false, ON_DEVICE>(rows, ray, extent)

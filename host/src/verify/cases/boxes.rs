@@ -35,8 +35,8 @@ const COMPONENTS: [f32; 11] =
 
 /// Every combination of components, from points of the lattice, which lie on planes and edges of boxes, and from beside them.
 ///
-/// No one guard is held: 1/d is clamped to ±10¹⁸ (`traversal::ray::clamped_inverse`), and without that the slabs' comparisons, which
-/// are false for the NaN of 0 · ∞, still leave that axis out.
+/// Guard: near planes are padded (`traversal::ray::Prepared`). That of 1/d, clamped to ±10¹⁸ (`traversal::ray::clamped_inverse`), is not
+/// held by it: without that the slabs' comparisons, which are false for the NaN of 0 · ∞, still leave that axis out.
 pub fn directions_without_a_component_meet_what_they_should(suite: &mut Suite) -> Outcome {
     let tiles = tiles();
     let mut random = Random(1);

@@ -59,7 +59,7 @@ pub fn fresnels_share_is_a_share(suite: &mut Suite) -> Outcome {
 
 /// Balls of glass in balls of other glass, some a hair apart, in a furnace: no pixel is brighter than the sky, and the bits are the same.
 ///
-/// Guard: a path ends at the depth limit and what is cut off is black, never bright (`bounce::spawn`).
+/// Guard: what is reflected is not refracted, too (`bounce::spawn`).
 pub fn nested_media_in_a_furnace_make_no_light(suite: &mut Suite) -> Outcome {
     let mut cases = 0;
     for etas in [[1.5, 1.33, 1.0], [1.000_001, 1.0, 0.999_999], [2.4, 1.0 / 2.4, 1.5], [1.5, 1.5, 1.5]] {
