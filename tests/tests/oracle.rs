@@ -347,6 +347,42 @@ fn ellipsoids_are_hit_where_the_exact_formula_says() {
     }
 }
 
+/// A disc 10⁴ times as wide as thick, 10³ radii away: what is hit and where does not suffer from the digits that the distance takes.
+#[test]
+fn flat_ellipsoids_far_away_are_hit_where_they_are() {
+    let mut random = Random(13);
+    let (mut hits, mut misses, mut worst) = (0, 0, 0f64);
+    for _ in 0..20_000 {
+        let shape = stage::ellipsoid([0.5, -0.25, 0.125], [1.0, 1e-4, 1.0], random.between(0.0, 6.0), 0);
+        let (centre, rows) = (wide(shape.centre), shape.world_to_unit.map(|[x, y, z, _]| [x, y, z]));
+        let [x, y, z] = rows.map(wide);
+        let to_unit = DMat3::from_cols(x, y, z).transpose();
+        let origin = (centre + random.direction() * 1e3).as_vec3();
+        let target = centre + to_unit.inverse() * (random.direction() * random.between(0.0, 1.5));
+        let dir = (target - origin.as_dvec3()).as_vec3();
+        let ray = Ray { origin: origin.to_array(), t_min: 0.0, dir: dir.to_array(), t_max: f32::INFINITY };
+        let (o, d) = (to_unit * (origin.as_dvec3() - centre), to_unit * dir.as_dvec3());
+        let to_rim = o.cross(d).length() / d.length() - 1.0;
+        // Along the disc a ray's own digits decide too little.
+        if to_rim.abs() < 1e-2 || d.normalize().y.abs() < 0.999 {
+            continue;
+        }
+        let to = ToUnit::new(&shape);
+        let t = ellipsoid::intersect(shape.centre, &to, &ray, f32::NEG_INFINITY, f32::INFINITY);
+        assert_eq!(t.is_nan(), to_rim > 0.0, "{ray:?}: {to_rim} radii beyond the rim");
+        if let Some([near, _]) = exact_roots(to_unit, centre, &ray).filter(|_| !t.is_nan()) {
+            let got = ellipsoid::point(&shape, &ray, t).on_unit_sphere.as_dvec3();
+            worst = worst.max((got - (o + d * near)).length());
+            hits += 1;
+        } else {
+            misses += 1;
+        }
+    }
+    println!("flat ellipsoids far away: {hits} hits, {misses} misses, worst {worst}");
+    assert!(hits > 2_000 && misses > 2_000, "{hits} {misses}");
+    assert!(worst < 1e-4, "{worst} radii beside where it is");
+}
+
 /// `t` is moved into the primitive's own box, and a primitive whose box is missed is missed.
 #[test]
 fn the_own_box_bounds_the_hit() {
