@@ -26,7 +26,8 @@ use rules::Exact;
 ///
 /// `rows` is what `parallax::build` makes (a structure with links out of range panics on a CPU), `extent` the largest absolute
 /// coordinate of its primitives. Components of the direction may be zero, −0 or denormal as long as one is longer than 10⁻¹¹; of
-/// shorter directions the limit of 1/d loses hits, below 10⁻¹⁸ all. A `t_min` below zero counts as zero. A ray with a NaN, or an infinity in its origin or direction, hits nothing. `t` may be −0 where `t_min` is 0.
+/// shorter directions the limit of 1/d loses hits, below 10⁻¹⁸ all. A `t_min` below zero counts as zero. A ray with a NaN, or an infinity
+/// in its origin or direction, hits nothing. `t` may be −0 where `t_min` is 0.
 #[inline(always)]
 pub fn closest_hit(rows: &[Row], ray: &Ray, extent: f32) -> Hit {
     walk::walk::<Exact, false, ON_DEVICE>(rows, ray, extent)

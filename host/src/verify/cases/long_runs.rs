@@ -13,7 +13,7 @@ use parallax_shared::stereo::source;
 /// Frame N is made from N alone: after 10⁴ frames of a whole turn the eyes are where they began, bit for bit, and on the way within
 /// rounding of where f64 has them.
 ///
-/// Guard: views are derived from the rig in f64 and keep no state (`StereoRig::views`).
+/// Guard: views are derived from the rig alone, in f64, and keep no state (`StereoRig::views`).
 pub fn ten_thousand_frames_do_not_drift(suite: &mut Suite) -> Outcome {
     const FRAMES: u32 = 10_000;
     let rig = |frame: u32| {

@@ -150,8 +150,8 @@ const FLAT: [([f64; 3], Option<DVec3>); 3] =
 
 /// Flat ellipsoids, turned, near and far: what passes through them hits, and hits lie on them.
 ///
-/// Guard: the origin is moved in world space before the matrix, whose rows differ by 10⁴, is applied (`ellipsoid::chord_of`): held by the
-/// test of the same name in `oracle`, which sees the point on the unit sphere, since `t` has too few digits for the thickness.
+/// Guard: the origin is moved in world space before the matrix, whose rows differ by 10⁴, is applied (`ellipsoid::chord_of`). A test
+/// of `oracle` holds it, which sees the point on the unit sphere: `t` has too few digits for the thickness.
 pub fn flat_ellipsoids_are_hit_where_they_are(suite: &mut Suite) -> Outcome {
     let mut random = Random(4);
     for (half, thin) in FLAT {

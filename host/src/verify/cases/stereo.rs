@@ -77,8 +77,8 @@ fn scenes() -> Result<Vec<(&'static str, SceneData)>, RenderError> {
 
 /// All methods, fully verified, from both eyes: nothing is nearer than what they show by more than a pixel of disparity.
 ///
-/// Guard: what is asked to be verified is (`stereo::settle::Plan`). Other tests hold what is verified without being asked (`stereo_unseen`) and
-/// which column wins (`stereo_tables`).
+/// Guard: what is asked to be verified is (`stereo::settle::Plan`). Other tests hold what is verified without being asked
+/// (`stereo_unseen`) and which column wins (`stereo_tables`).
 pub fn pairs_hide_nothing_that_is_nearer(suite: &mut Suite) -> Outcome {
     for (name, data) in scenes()? {
         let disparity = |t: f32| disparity_px(data.views[0].interaxial_px, t);
