@@ -110,7 +110,7 @@ mod tests {
             exact += (q.is_normal() && f64::from(q) * f64::from(b) == f64::from(a)) as u32;
         }
         assert!(
-            denormal > 10_000 && infinite > 1000 && ties > 300 && exact > 100,
+            denormal > 5000 && infinite > 1000 && ties > 50 && exact > 1000,
             "{denormal} {infinite} {ties} {exact}"
         );
     }
