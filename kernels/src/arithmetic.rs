@@ -75,8 +75,9 @@ pub fn arithmetic(
     }
 }
 
+/// `start` after `count` rounds of [`operation::ROUNDS`].
 #[inline(always)]
-fn rounds(count: u32, start: u32) -> u32 {
+pub fn rounds(count: u32, start: u32) -> u32 {
     (0..count).fold(start, |state, _| state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223))
 }
 

@@ -7,8 +7,8 @@
 //! [`open`]; where it is missing the test says SKIPPED, on the terminal and not into cargo's captured output,
 //! or fails if `PARALLAX_REQUIRE_GPU=1`.
 
+use crate::terminal::tell;
 use parallax::backend::{BackendError, Gpu, Profile};
-use std::io::Write;
 
 /// A driver that tests run on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,13 +71,11 @@ pub fn require<T>(found: Result<T, String>, required: bool) -> Option<T> {
     }
 }
 
-/// Says that the calling test is skipped. Written to the terminal itself, since cargo hides what a passing
-/// test prints.
+/// Says that the calling test is skipped.
 pub fn say_skipped(reason: &str) {
     let thread = std::thread::current();
     let test = thread.name().unwrap_or("a test");
-    // Nothing is lost when the terminal is gone.
-    let _ = writeln!(std::io::stderr(), "SKIPPED: {test}: {reason}");
+    tell(&format!("SKIPPED: {test}: {reason}"));
 }
 
 #[cfg(test)]

@@ -11,5 +11,7 @@ pub mod scenes;
 pub mod small_scenes;
 pub mod stereo;
 pub mod tables;
+pub mod terminal;
+pub mod words;
 
 pub use parallax::verify::input::{meshes, reference, stage};

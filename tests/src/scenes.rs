@@ -10,6 +10,11 @@ pub fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
+/// The file of the shipped scene of this name.
+pub fn file(name: &str) -> PathBuf {
+    root().join("scenes").join(name).with_extension("toml")
+}
+
 /// Every scene file under `scenes/`, by name.
 pub fn shipped() -> Vec<PathBuf> {
     let entries = std::fs::read_dir(root().join("scenes")).expect("the scenes ship with the project");

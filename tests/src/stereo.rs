@@ -2,10 +2,10 @@
 
 use parallax::backend::{Backend, Cpu};
 use parallax::render::band::{Band, Pair, Values};
-use parallax::render::stereo::Plan;
 use parallax::render::stereo::second::Inferred;
 use parallax::render::{First, Renderer, SceneData, StereoOptions};
 pub use parallax::verify::input::pairs::{REPROJECTING, verified};
+use parallax::verify::suite;
 use std::ops::Deref;
 
 /// Both orders of the eyes.
@@ -16,9 +16,17 @@ pub const ORDERS: [First; 2] = [First::Left, First::Right];
 /// # Panics
 /// When the backend fails.
 pub fn pair_on<B: Backend>(backend: &mut B, data: &SceneData, options: &StereoOptions) -> Pair {
-    let plan = Plan::new(data, options, true).expect("options that go together");
+    suite::pair(backend, data, options).expect("options that go together, and a backend that works")
+}
+
+/// What the left eye sees, on the CPU.
+///
+/// # Panics
+/// When it fails.
+pub fn left(data: &SceneData) -> Values {
     let band = Band { first_row: 0, rows: data.views[0].height };
-    Renderer::new(backend, data).and_then(|mut renderer| renderer.pair(&plan, band)).expect("a pair")
+    let mut cpu = Cpu::new(0).expect("a CPU");
+    Renderer::new(&mut cpu, data).and_then(|mut renderer| renderer.band(0, band)).expect("a view")
 }
 
 /// Both views on the CPU.

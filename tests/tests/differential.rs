@@ -10,6 +10,7 @@ use parallax::render::band::{Band, Values};
 use parallax::render::{Renderer, SceneData, StereoOptions};
 use parallax_tests::gpu::{Driver, open};
 use parallax_tests::scenes;
+use parallax_tests::words::instructions;
 
 /// No multiple of a workgroup's 8 × 8, and more than one of them either way.
 const SIZE: [u32; 2] = [61, 43];
@@ -56,8 +57,7 @@ fn a_few_scenes_are_the_same_on_swiftshader() {
 }
 
 fn default_scene(size: [u32; 2]) -> SceneData {
-    scenes::data_at(&scenes::root().join("scenes/default.toml"), size)
-        .expect("the default scene needs no models")
+    scenes::data_at(&scenes::file("default"), size).expect("the default scene needs no models")
 }
 
 /// The rows of `whole` that belong to `band`.
@@ -95,9 +95,8 @@ fn the_number_of_threads_does_not_matter() {
 fn mutated(words: &[u32], nth: usize) -> Option<Vec<u32>> {
     const OP_TYPE_FLOAT: u32 = 22;
     const OP_CONSTANT: u32 = 43;
-    let (mut at, mut floats, mut seen) = (5, Vec::new(), 0);
-    while at < words.len() {
-        let (length, operation) = (words[at] >> 16, words[at] & 0xffff);
+    let (mut floats, mut seen) = (Vec::new(), 0);
+    for (at, operation) in instructions(words) {
         if operation == OP_TYPE_FLOAT {
             floats.push(words[at + 1]);
         }
@@ -114,7 +113,6 @@ fn mutated(words: &[u32], nth: usize) -> Option<Vec<u32>> {
             }
             seen += 1;
         }
-        at += length.max(1) as usize;
     }
     None
 }

@@ -3,9 +3,9 @@
 //! away in turn, and must be missed.
 
 use parallax::backend::cpu::instruction_set::{InstructionSet, Task};
-use parallax::backend::{Backend, Cpu, Profile};
+use parallax::backend::{Cpu, Profile};
 use parallax::build::{Bvh, Quality, build};
-use parallax_kernels::rays::{OccludedRays, TraceRays};
+use parallax::verify::suite::trace;
 use parallax_shared::layout::{Hit, NONE, Ray};
 use parallax_shared::traversal::rules::{Exact, Rules};
 use parallax_shared::traversal::walk::walk;
@@ -209,31 +209,18 @@ fn without_the_shift_points_of_edges_have_other_owners() {
     assert!(faults.differ_from_brute_force > 10, "{faults:?}");
 }
 
-/// `t` bits and numbers of the kernel on a backend.
-fn on_backend(backend: &mut impl Backend, bvh: &Bvh, rays: &[Ray]) -> (Vec<Hit>, Vec<u32>) {
-    let given = backend.upload("rays", rays).unwrap();
-    let rows = backend.upload("rows", &bvh.rows).unwrap();
-    let hits = backend.create("hits", rays.len()).unwrap();
-    let occluded = backend.create("occluded", rays.len()).unwrap();
-    let (extent, groups) = (bvh.extent, [rays.len() as u32, 1, 1]);
-    backend.run(&TraceRays { rays: given, rows, extent, hits }, groups).unwrap();
-    backend.run(&OccludedRays { rays: given, rows, extent, occluded }, groups).unwrap();
-    backend.finish().unwrap();
-    (backend.read(hits).unwrap(), backend.read(occluded).unwrap())
-}
-
 #[test]
 fn both_backends_give_the_same_bits() {
     for mesh in [icosphere(4, 100.0, FAR_OFF).scaled(), cube(1.0, [0.0; 3]).scaled()] {
         let mut rays = rays_from_inside(&mesh, 10_000, 5);
         rays.extend(rays_from_outside(&mesh, 10_000, 6));
         for bvh in structures(&mesh) {
-            let cpu = on_backend(&mut Cpu::new(0).unwrap(), &bvh, &rays);
+            let cpu = trace(&mut Cpu::new(0).unwrap(), &bvh, &rays).unwrap();
             let direct = hits::<Exact, false, true>(InstructionSet::BASELINE, &bvh, &rays);
             assert!(cpu.0.iter().zip(&direct).all(|(a, b)| same(a, b)), "{}", mesh.name);
             for driver in Driver::SOFTWARE {
                 let Some(mut gpu) = open(driver, Profile::Strict) else { continue };
-                let gpu = on_backend(&mut gpu, &bvh, &rays);
+                let gpu = trace(&mut gpu, &bvh, &rays).unwrap();
                 let bits = |hit: &Hit| (hit.t.to_bits(), hit.prim_id);
                 let differ = count(gpu.0.iter().zip(&cpu.0).map(|(a, b)| bits(a) != bits(b)));
                 assert_eq!(differ, 0, "{} on {driver:?}", mesh.name);

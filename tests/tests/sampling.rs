@@ -8,7 +8,7 @@ use parallax::render::stereo::statistics::StereoStatistics;
 use parallax::render::{First, Method, Samples, SceneData, StereoOptions, Verify, render};
 use parallax_shared::stereo::source::{self, is_reused};
 use parallax_tests::gpu::{Driver, open};
-use parallax_tests::scenes::{data_at, load_at, root};
+use parallax_tests::scenes::{data_at, file, load_at};
 use parallax_tests::stereo::{ORDERS, REPROJECTING, inferred, naive, pair, pair_on, verified};
 
 const SIZE: [u32; 2] = [60, 40];
@@ -17,7 +17,7 @@ const ADAPTIVE: Samples = Samples::Adaptive { levels: 2, tolerance: 0.05 };
 const ALL: [Samples; 3] = [Samples::Nine, Samples::Jittered(3), ADAPTIVE];
 
 fn scene_at(name: &str, size: [u32; 2]) -> SceneData {
-    data_at(&root().join("scenes").join(name).with_extension("toml"), size).expect("a scene that ships whole")
+    data_at(&file(name), size).expect("a scene that ships whole")
 }
 
 fn scene(name: &str) -> SceneData {
@@ -138,8 +138,7 @@ fn all_methods_give_the_same_pair() {
 #[test]
 fn without_a_distance_between_the_eyes_both_views_are_one() {
     for name in ["default", "spheres"] {
-        let mut scene =
-            load_at(&root().join("scenes").join(name).with_extension("toml"), SIZE).expect("a scene");
+        let mut scene = load_at(&file(name), SIZE).expect("a scene");
         scene.rig.interaxial_px = 0.0;
         let data = SceneData::new(&scene, Default::default()).expect("a scene that renders");
         for samples in ALL {

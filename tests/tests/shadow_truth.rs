@@ -5,8 +5,8 @@
 
 use glam::{DQuat, DVec3};
 use parallax::backend::{Backend, Cpu, Profile};
-use parallax::render::band::{Band, Values};
-use parallax::render::{Overrides, Renderer, SceneData};
+use parallax::render::band::Values;
+use parallax::render::{Overrides, SceneData};
 use parallax_shared::camera;
 use parallax_shared::layout::{BACK, NONE, Surface};
 use parallax_shared::scene::SceneView;
@@ -14,21 +14,16 @@ use parallax_tests::gpu::{Driver, open};
 use parallax_tests::meshes::cube;
 use parallax_tests::oracle::{meet_triangle, unit_sphere};
 use parallax_tests::reference::wide;
-use parallax_tests::scenes::{load_at, root};
-use parallax_tests::small_scenes::view;
-use parallax_tests::stage::{Stage, light, white};
+use parallax_tests::scenes::{file, load_at};
+use parallax_tests::small_scenes::room;
+use parallax_tests::stage::Stage;
+use parallax_tests::stereo::left;
+use parallax_tests::terminal::tried;
 use rayon::prelude::*;
 use std::collections::HashMap;
-use std::io::Write;
 
 /// How far points are moved to see whether an answer is decided, in error bounds of the surface.
 const MOVED: f64 = 3.0;
-
-/// Tells how many cases there were, on the terminal itself: cargo hides what a passing test prints.
-fn tried(kind: &str, cases: usize, decided: usize) {
-    // Nothing is lost when the terminal is gone.
-    let _ = writeln!(std::io::stderr(), "hard case: shadows/{kind}: {cases} cases, {decided} decided");
-}
 
 /// A point of a surface as f64 sees it.
 #[derive(Clone, Copy)]
@@ -204,18 +199,17 @@ fn wrong(cases: &[Case], values: &Values) -> usize {
 
 /// A shipped scene with five lights, and what its left eye sees.
 fn picture(name: &str, size: [u32; 2]) -> Option<(SceneData, Values)> {
-    let mut scene = load_at(&root().join("scenes").join(name).with_extension("toml"), size)?;
+    let mut scene = load_at(&file(name), size)?;
     Overrides { lights: Some(5), ..Overrides::default() }.apply(&mut scene).unwrap();
     let data = SceneData::new(&scene, Default::default()).expect("a scene that renders");
-    let band = Band { first_row: 0, rows: size[1] };
-    let values = Renderer::new(&mut Cpu::new(0).unwrap(), &data).unwrap().band(0, band).unwrap();
+    let values = left(&data);
     Some((data, values))
 }
 
 fn assert_right(name: &str, size: [u32; 2]) {
     let Some((data, values)) = picture(name, size) else { return };
     let (asked, decided) = truth(&data, &values);
-    tried(name, asked, decided.len());
+    tried(&format!("shadows/{name}"), asked as u64, &format!(", {} decided", decided.len()));
     let hidden = decided.iter().filter(|case| !case.seen).count();
     assert!(hidden > asked / 20 && hidden < asked * 19 / 20, "{hidden} of {asked} are hidden");
     assert!(100 * decided.len() >= 99 * asked, "{} of {asked} answers are decided", decided.len());
@@ -246,23 +240,13 @@ fn a_flipped_answer_is_found() {
     }
 }
 
-/// A closed cube from `low`, of the width `size`, turned about its middle, seen from inside, with lights within (even numbers) and
-/// without (odd ones).
-fn room(turn: DQuat, low: f64, size: f64) -> Stage {
+/// A closed cube from `low`, of the width `size`, turned about its middle.
+fn askew(turn: DQuat, low: f64, size: f64) -> Stage {
     let middle = DVec3::splat(low + 0.5 * size);
     let at = |p: [f32; 3]| (middle + turn * (wide(p) - 0.5) * size).as_vec3().to_array();
-    let mut stage = Stage::new(view(at([0.25, 0.75, 0.75]), at([0.875, 0.125, 0.125])));
-    stage.materials = vec![white()];
-    stage.triangles = cube(0.5, [0.5; 3]).triangles;
-    stage.triangles.iter_mut().for_each(|wall| wall.vertices = wall.vertices.map(at));
-    for i in 0..16 {
-        let place = |k: usize| if i >> k & 1 == 0 { 0.0625 } else { 0.9375 };
-        let within = [place(0), place(1), if i < 8 { place(2) } else { 0.5 }];
-        let mut without = within;
-        without[i % 3] = if i % 2 == 0 { -0.0625 } else { 1.0625 };
-        stage.lights.extend([light(at(within), [0.1; 3]), light(at(without), [0.1; 3])]);
-    }
-    stage
+    let mut walls = cube(0.5, [0.5; 3]).triangles;
+    walls.iter_mut().for_each(|wall| wall.vertices = wall.vertices.map(at));
+    room(walls, at)
 }
 
 /// In a convex room every wall faces and sees every light within, from its corners too, and none without, whichever way it lies.
@@ -274,16 +258,16 @@ fn rooms_that_lie_askew_have_no_acne_and_no_leak() {
         [(-0.5, 1.0), (0.0, 1e-3), (100.0, 8.0), (1e5, 256.0)].into_iter().enumerate()
     {
         let turn = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), 0.3 + number as f64);
-        let stage = room(turn, low, size);
+        let stage = askew(turn, low, size);
         let check = |seen: &[u32]| {
             let wrong = seen.iter().filter(|seen| **seen != 0x5555_5555).count();
             assert_eq!(wrong, 0, "size {size} at {low}");
         };
         check(&seen_by(&mut Cpu::new(0).unwrap(), &stage));
         gpu.iter_mut().for_each(|gpu| check(&seen_by(gpu, &stage)));
-        cases += 32 * (stage.view.width * stage.view.rows) as usize;
+        cases += 32 * u64::from(stage.view.width * stage.view.rows);
     }
-    tried("rooms", cases, cases);
+    tried("shadows/rooms", cases, "");
 }
 
 fn seen_by<B: Backend>(backend: &mut B, stage: &Stage) -> Vec<u32> {

@@ -4,15 +4,14 @@ use parallax::backend::{Cpu, Profile};
 use parallax::diff;
 use parallax::render::{First, Method, Reflections, SceneData, Shadows, StereoOptions, Verify};
 use parallax_tests::gpu::{Driver, open};
-use parallax_tests::scenes::{data_at, root};
+use parallax_tests::scenes::{data_at, file};
 use parallax_tests::stereo::{REPROJECTING, pair_on, verified};
 
 /// How often each method runs; not fewer, since scheduling shows by luck.
 const RUNS: usize = 20;
 
 fn scene(name: &str) -> SceneData {
-    data_at(&root().join("scenes").join(name).with_extension("toml"), [56, 32])
-        .expect("a scene that ships whole")
+    data_at(&file(name), [56, 32]).expect("a scene that ships whole")
 }
 
 fn options() -> impl Iterator<Item = StereoOptions> {

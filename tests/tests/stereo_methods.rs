@@ -5,18 +5,18 @@ use parallax::render::{Depth, First, Method, Reflections, SceneData, Shadows, St
 use parallax_shared::camera::disparity_px;
 use parallax_shared::layout::{Hit, RayCounts};
 use parallax_shared::stereo::source::{self, BAD, GAP, HOLE, is_reused};
-use parallax_tests::scenes::{data_at, load_at, name, root, shipped};
+use parallax_tests::scenes::{data_at, file, load_at, name, shipped};
 use parallax_tests::stereo::{ORDERS, REPROJECTING, Shown, inferred, naive, pair, verified};
 
 const SIZE: [u32; 2] = [120, 80];
 
 fn scene(name: &str) -> SceneData {
-    data_at(&root().join("scenes").join(name).with_extension("toml"), SIZE).expect("a scene that ships whole")
+    data_at(&file(name), SIZE).expect("a scene that ships whole")
 }
 
 /// The scene with its eyes so many pixels apart.
 fn apart(name: &str, interaxial_px: f32) -> SceneData {
-    let path = root().join("scenes").join(name).with_extension("toml");
+    let path = file(name);
     let mut scene = load_at(&path, SIZE).expect("a scene that ships whole");
     scene.rig.interaxial_px = interaxial_px;
     SceneData::new(&scene, Default::default()).expect("a scene that renders")

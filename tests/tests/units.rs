@@ -1,11 +1,11 @@
 //! A scene has no favourite unit: scaled by a power of two it is the same picture, bit for bit (DESIGN §3.1.7).
 
-use parallax::backend::Cpu;
-use parallax::render::band::{Band, Values};
+use parallax::render::SceneData;
+use parallax::render::band::Values;
 use parallax::render::scale::Scaled;
-use parallax::render::{Renderer, SceneData};
 use parallax::scene::Scene;
-use parallax_tests::scenes::{load_at, root};
+use parallax_tests::scenes::{file, load_at};
+use parallax_tests::stereo::left;
 
 /// The same scene in units that are 1 / `factor` as large.
 fn in_other_units(scene: &Scene, factor: f32) -> Scene {
@@ -24,15 +24,14 @@ fn in_other_units(scene: &Scene, factor: f32) -> Scene {
 /// What the left eye sees.
 fn picture(scene: &Scene) -> Values {
     let data = SceneData::new(scene, Default::default()).expect("a scene that renders");
-    let band = Band { first_row: 0, rows: data.views[0].height };
-    Renderer::new(&mut Cpu::new(0).unwrap(), &data).unwrap().band(0, band).unwrap()
+    left(&data)
 }
 
 /// Units from 2⁻⁶⁰ to 2⁶⁰ of the scene's own: everything but lengths is the same.
 #[test]
 fn a_scene_looks_the_same_in_any_unit() {
     for name in ["default", "cornell", "ellipsoids_20"] {
-        let path = root().join("scenes").join(name).with_extension("toml");
+        let path = file(name);
         let scene = load_at(&path, [60, 45]).expect("a scene that ships whole");
         let own = picture(&scene);
         for exponent in [-60, -40, -20, 20, 40, 60] {

@@ -5,6 +5,7 @@ use parallax::backend::gpu::{Module, Modules};
 use parallax::backend::{Cpu, Gpu, Profile};
 use parallax::verify::{self, CASES, Case, CaseReport, Gpus, probes};
 use parallax_tests::gpu::{Driver, open};
+use parallax_tests::words::instructions;
 
 /// Instructions of SPIR-V with the same operands.
 const SUM: u32 = 129;
@@ -16,25 +17,41 @@ const AT_LEAST: u32 = 174;
 const SHIFT_LEFT: u32 = 196;
 const SHIFT_RIGHT: u32 = 194;
 
+/// An instruction of the extended set GLSL.std.450, and two of these with one operand, in the fifth word.
+const EXTENDED: u32 = 12;
+const ROOT: u32 = 31;
+const INVERSE_ROOT: u32 = 32;
+
 /// The module with every instruction `from` replaced by `to`.
 fn replaced(module: &Module, from: u32, to: u32) -> Module {
     let mut words = module.spirv.to_vec();
-    let mut at = 5;
-    while at < words.len() {
-        if words[at] & 0xffff == from {
-            words[at] = (words[at] & 0xffff_0000) | to;
-        }
-        at += (words[at] >> 16).max(1) as usize;
+    for (at, _) in instructions(&module.spirv).filter(|(_, operation)| *operation == from) {
+        words[at] = (words[at] & 0xffff_0000) | to;
+    }
+    Module { spirv: words.into(), wgsl: None }
+}
+
+/// The module with 1/√ in the place of √.
+fn with_inverse_roots(module: &Module) -> Module {
+    let mut words = module.spirv.to_vec();
+    let extended = instructions(&module.spirv).filter(|(_, operation)| *operation == EXTENDED);
+    for (at, _) in extended.filter(|(at, _)| module.spirv[at + 4] == ROOT) {
+        words[at + 4] = INVERSE_ROOT;
     }
     Module { spirv: words.into(), wgsl: None }
 }
 
 /// Lavapipe, on which these passes have `to` where they have `from`.
 fn wrong(profile: Profile, passes: &[&str], from: u32, to: u32) -> Option<Gpu> {
+    changed(profile, passes, |module| replaced(module, from, to))
+}
+
+/// Lavapipe with other modules for these passes.
+fn changed(profile: Profile, passes: &[&str], change: impl Fn(&Module) -> Module) -> Option<Gpu> {
     let gpu = open(Driver::Lavapipe, profile)?;
     let mut modules = Modules::embedded(profile);
     for pass in passes {
-        let changed = replaced(modules.get(pass).expect("a pass"), from, to);
+        let changed = change(modules.get(pass).expect("a pass"));
         assert_ne!(Some(&changed), modules.get(pass), "{pass} has no such instruction");
         modules.insert(*pass, changed);
     }
@@ -58,6 +75,9 @@ fn probes_tell_wrong_arithmetic() {
             assert!(!answer.strict_can_do, "{from} as {to}: {name}: {}", answer.says);
         }
     }
+    let Some(mut gpu) = changed(Profile::Strict, &["arithmetic"], with_inverse_roots) else { return };
+    let answer = probes::probe(&mut gpu, "strict").unwrap().square_root;
+    assert!(!answer.strict_can_do, "{}", answer.says);
     let Some(mut gpu) = open(Driver::Lavapipe, Profile::Strict) else { return };
     let answers = probes::probe(&mut gpu, "strict").unwrap();
     assert!(answers.named().iter().all(|(_, answer)| answer.strict_can_do), "{answers:?}");

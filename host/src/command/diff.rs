@@ -1,7 +1,7 @@
 //! `parallax diff`.
 
 use super::failure::{Blame, Failure};
-use super::options::{Loaded, MethodOptions, SceneOptions};
+use super::options::{Loaded, MethodOptions, SceneOptions, SidesOptions};
 use super::progress::Progress;
 use super::report::{self, JsonOption};
 use parallax::backend::{Cpu, Gpu, Profile};
@@ -30,15 +30,11 @@ pub struct Options {
     scene: SceneOptions,
     #[command(flatten)]
     method: MethodOptions,
-    /// The GPU whose name contains NAME; by default the best, or a software driver if there is no hardware.
-    #[arg(long, value_name = "NAME")]
-    adapter: Option<String>,
+    #[command(flatten)]
+    sides: SidesOptions,
     /// Arithmetic of the GPU, and what is asked of the comparison: the same bits, or stated bounds.
     #[arg(long, value_enum, default_value_t)]
     profile: Profile,
-    /// Threads of the CPU backend; 0 for one per core.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
     #[command(flatten)]
     json: JsonOption,
 }
@@ -63,8 +59,8 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     report::warn(&warnings);
     let data = SceneData::new(&scene, Quality::Full).usage()?;
     stereo.check_size(&data).usage()?;
-    let mut gpu = Gpu::open(options.profile, options.adapter.as_deref()).work()?;
-    let mut cpu = Cpu::new(options.threads).work()?;
+    let mut gpu = Gpu::open(options.profile, options.sides.adapter.as_deref()).work()?;
+    let mut cpu = Cpu::new(options.sides.threads).work()?;
     let mut progress = Progress::new();
     let mut tell = |done, total| progress.update("comparing", done, total);
     let differential = diff::against_gpu(&mut cpu, &mut gpu, &data, &stereo, &mut tell).work()?;

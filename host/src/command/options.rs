@@ -163,6 +163,17 @@ impl DeviceOptions {
     }
 }
 
+/// The two sides of a comparison.
+#[derive(clap::Args)]
+pub struct SidesOptions {
+    /// The GPU whose name contains NAME; by default the best, or a software driver if there is no hardware.
+    #[arg(long, value_name = "NAME")]
+    pub adapter: Option<String>,
+    /// Threads of the CPU backend; 0 for one per core.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub threads: usize,
+}
+
 /// On which backends something is measured, one after the other.
 #[derive(clap::Args)]
 pub struct BackendsOptions {

@@ -1,6 +1,7 @@
 //! `parallax verify`.
 
 use super::failure::{Blame, Failure};
+use super::options::SidesOptions;
 use super::progress::Progress;
 use super::report::{JsonOption, duration, grouped};
 use anyhow::Context;
@@ -27,15 +28,11 @@ pub struct Options {
     /// Try all square roots and 10⁹ divisions, on every backend. Minutes on a processor, longer on a software driver.
     #[arg(long)]
     full: bool,
-    /// The GPU whose name contains NAME; by default the best, or a software driver if there is no hardware.
-    #[arg(long, value_name = "NAME", conflicts_with = "cpu")]
-    adapter: Option<String>,
     /// Verify the processor alone.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "adapter")]
     cpu: bool,
-    /// Threads of the CPU backend; 0 for one per core.
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    threads: usize,
+    #[command(flatten)]
+    sides: SidesOptions,
     #[command(flatten)]
     json: JsonOption,
 }
@@ -47,8 +44,8 @@ struct Report(Verification);
 
 /// Runs the command.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
-    let mut cpu = Cpu::new(options.threads).work()?;
-    let mut gpus = if options.cpu { None } else { Some(open(options.adapter.as_deref())?) };
+    let mut cpu = Cpu::new(options.sides.threads).work()?;
+    let mut gpus = if options.cpu { None } else { Some(open(options.sides.adapter.as_deref())?) };
     let mut progress = Progress::new();
     let mut tell = |what: &str, done, total| progress.update(what, done, total);
     let verification = verify::verify(&mut cpu, gpus.as_mut(), options.full, &mut tell).work()?;
@@ -62,7 +59,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
 fn open(adapter: Option<&str>) -> Result<Gpus, Failure> {
     let hint = "there is no device to verify; `--cpu` verifies the processor alone";
     let strict = Gpu::open(Profile::Strict, adapter).context(hint).work()?;
-    let fast = Gpu::open(Profile::Fast, Some(&strict.report().name)).work()?;
+    let fast = strict.in_profile(Profile::Fast).work()?;
     Ok(Gpus { strict, fast })
 }
 

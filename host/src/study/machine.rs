@@ -1,6 +1,6 @@
 //! Where a study runs.
 
-use crate::backend::{self, Backend, BackendError, Choice, Device, Profile, Selection};
+use crate::backend::{self, Backend, BackendError, Device, Profile, Selection};
 
 /// A backend, in each arithmetic that it has.
 pub struct Machine {
@@ -18,13 +18,8 @@ impl Machine {
         let strict = backend::select(&Selection { profile: Profile::Strict, ..selection.clone() })?;
         let fast = match &strict {
             Device::Cpu(_) => None,
-            Device::Gpu(gpu) => Some(backend::select(&Selection {
-                backend: Choice::Gpu,
-                // The same one, even if another one is better that has the fast profile alone.
-                adapter: Some(gpu.report().name.clone()),
-                profile: Profile::Fast,
-                ..selection.clone()
-            })?),
+            // The same one, even if another one is better that has the fast profile alone.
+            Device::Gpu(gpu) => Some(Device::Gpu(Box::new(gpu.in_profile(Profile::Fast)?))),
         };
         Ok(Self { strict, fast })
     }
@@ -66,6 +61,7 @@ impl Machine {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::backend::Choice;
 
     #[test]
     fn a_backend_that_is_named_twice_is_studied_once() {

@@ -3,8 +3,8 @@
 use super::input::meshes::Random;
 use super::input::numbers::{ordinary, ulps};
 use super::suite::values;
-use crate::backend::{Backend, BackendError, Cpu};
-use parallax_kernels::arithmetic::operation::*;
+use crate::backend::{Backend, BackendError};
+use parallax_kernels::arithmetic::{operation::*, rounds};
 use serde::Serialize;
 
 /// Numbers that each probe of accuracy asks for.
@@ -181,9 +181,8 @@ fn accuracy<B: Backend>(
 const ROUNDS_ASKED: [u32; 6] = [1000, 65_000, 65_535, 65_600, 200_000, 1 << 20];
 
 fn loops<B: Backend>(backend: &mut B) -> Result<Answer, BackendError> {
-    let starts = ROUNDS_ASKED.map(|_| 1);
-    let expected = values(&mut Cpu::new(1)?, ROUNDS, &ROUNDS_ASKED, &starts)?;
-    let results = values(backend, ROUNDS, &ROUNDS_ASKED, &starts)?;
+    let expected = ROUNDS_ASKED.map(|count| rounds(count, 1));
+    let results = values(backend, ROUNDS, &ROUNDS_ASKED, &ROUNDS_ASKED.map(|_| 1))?;
     let right = results.iter().zip(&expected).take_while(|(result, expected)| result == expected).count();
     let says = match (right.checked_sub(1), ROUNDS_ASKED.get(right)) {
         (_, None) => "run to their end".into(),

@@ -138,9 +138,7 @@ impl<'a> Suite<'a> {
 
     /// Both views of a scene on the processor, as one band.
     pub fn pair(&mut self, data: &SceneData, options: &StereoOptions) -> Result<Pair, RenderError> {
-        let plan = Plan::new(data, options, true)?;
-        let band = Band { first_row: 0, rows: data.views[0].height };
-        Renderer::new(self.cpu, data)?.pair(&plan, band)
+        pair(self.cpu, data, options)
     }
 
     /// Compares every stage of both views of a scene on both backends. Counts the elements; without a device nothing.
@@ -199,8 +197,29 @@ pub fn structure(
     Ok(build(triangles, spheres, ellipsoids, Quality::Full)?)
 }
 
-/// Nearest hits, and what is occluded.
-fn trace<B: Backend>(backend: &mut B, bvh: &Bvh, rays: &[Ray]) -> Result<(Vec<Hit>, Vec<u32>), BackendError> {
+/// Both views of a scene, as one band.
+///
+/// # Errors
+/// When the options do not go together, or the backend fails.
+pub fn pair<B: Backend>(
+    backend: &mut B,
+    data: &SceneData,
+    options: &StereoOptions,
+) -> Result<Pair, RenderError> {
+    let plan = Plan::new(data, options, true)?;
+    let band = Band { first_row: 0, rows: data.views[0].height };
+    Renderer::new(backend, data)?.pair(&plan, band)
+}
+
+/// The nearest hit of each ray, and 1 for each that hits anything, by the passes for rays.
+///
+/// # Errors
+/// When the backend fails.
+pub fn trace<B: Backend>(
+    backend: &mut B,
+    bvh: &Bvh,
+    rays: &[Ray],
+) -> Result<(Vec<Hit>, Vec<u32>), BackendError> {
     let given = backend.upload("rays", rays)?;
     let rows = backend.upload("rows", &bvh.rows)?;
     let hits = backend.create("hits", rays.len())?;

@@ -66,6 +66,11 @@ impl Gpu {
         Self::choose(profile, name, true)
     }
 
+    /// The same adapter in another profile.
+    pub fn in_profile(&self, profile: Profile) -> Result<Self, BackendError> {
+        Self::open(profile, Some(&self.report().name))
+    }
+
     /// The best hardware.
     pub(super) fn open_hardware(profile: Profile) -> Result<Self, BackendError> {
         Self::choose(profile, None, false)

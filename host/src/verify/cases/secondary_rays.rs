@@ -1,34 +1,23 @@
 //! Rays that leave a surface: no acne, no leak, in corners and far from the origin.
 
 use crate::verify::Outcome;
-use crate::verify::input::small_scenes::view;
-use crate::verify::input::stage::{Stage, light, quad, white};
+use crate::verify::input::small_scenes::room;
+use crate::verify::input::stage::{Stage, quad};
 use crate::verify::suite::Suite;
 
-/// A closed box from `low`, of the width `size`, seen from inside, with lights within (even numbers) and without (odd ones).
-fn room(low: [f32; 3], size: f32) -> Stage {
-    let at = |x: f32, y: f32, z: f32| [low[0] + x * size, low[1] + y * size, low[2] + z * size];
-    let mut stage = Stage::new(view(at(0.25, 0.75, 0.75), at(0.875, 0.125, 0.125)));
-    stage.materials = vec![white()];
+/// A closed box from `low`, of the width `size`.
+fn box_from(low: [f32; 3], size: f32) -> Stage {
+    let at = |p: [f32; 3]| [0, 1, 2].map(|k| low[k] + p[k] * size);
     let [x, y, z] = [[size, 0.0, 0.0], [0.0, size, 0.0], [0.0, 0.0, size]];
-    for (corner, u, v) in [
-        (at(0.0, 0.0, 0.0), x, y),
-        (at(0.0, 0.0, 1.0), x, y),
-        (at(0.0, 0.0, 0.0), y, z),
-        (at(1.0, 0.0, 0.0), y, z),
-        (at(0.0, 0.0, 0.0), x, z),
-        (at(0.0, 1.0, 0.0), x, z),
-    ] {
-        stage.triangles.extend(quad(corner, u, v, 0));
-    }
-    for i in 0..16 {
-        let place = |k: u32| if i >> k & 1 == 0 { 0.0625 } else { 0.9375 };
-        let within = at(place(0), place(1), if i < 8 { place(2) } else { 0.5 });
-        let mut without = within;
-        without[i % 3] = low[i % 3] + if i % 2 == 0 { -0.0625 } else { 1.0625 } * size;
-        stage.lights.extend([light(within, [0.1; 3]), light(without, [0.1; 3])]);
-    }
-    stage
+    let walls = [
+        ([0.0, 0.0, 0.0], x, y),
+        ([0.0, 0.0, 1.0], x, y),
+        ([0.0, 0.0, 0.0], y, z),
+        ([1.0, 0.0, 0.0], y, z),
+        ([0.0, 0.0, 0.0], x, z),
+        ([0.0, 1.0, 0.0], x, z),
+    ];
+    room(walls.into_iter().flat_map(|(corner, u, v)| quad(at(corner), u, v, 0)).collect(), at)
 }
 
 /// In a convex room every light that a wall faces is seen from everywhere, corners too, and none from outside comes in.
@@ -43,7 +32,7 @@ pub fn rooms_have_no_acne_and_no_leak(suite: &mut Suite) -> Outcome {
         ([1e6, -1e6, 5e5], 1024.0),
         ([-5e5; 3], 1e6),
     ] {
-        let all = suite.stages(&room(low, size))?;
+        let all = suite.stages(&box_from(low, size))?;
         for (pixel, seen) in all.seen.iter().enumerate() {
             let faced = all.counts[1][pixel].shadow;
             suite.check(seen & 0xaaaa_aaaa == 0, || {
@@ -55,7 +44,7 @@ pub fn rooms_have_no_acne_and_no_leak(suite: &mut Suite) -> Outcome {
             rays += faced as usize;
         }
         // Without the lights outside, what is faced is seen.
-        let mut within = room(low, size);
+        let mut within = box_from(low, size);
         within.lights = within.lights.into_iter().step_by(2).collect();
         let inner = suite.stages(&within)?;
         for (pixel, seen) in inner.seen.iter().enumerate() {

@@ -2,7 +2,7 @@
 
 use super::stage::{Stage, ellipsoid, light, quad, sphere, white};
 use crate::rig::StereoRig;
-use parallax_shared::layout::{Material, Texture, View};
+use parallax_shared::layout::{Material, Texture, Triangle, View};
 
 /// Columns and rows of [`view`].
 pub const SIDE: u32 = 48;
@@ -48,6 +48,22 @@ pub fn ball_under_lamp() -> Stage {
     stage.ambient = [0.2, 0.2, 0.2];
     stage.spheres = vec![sphere([0.0, 1.0, 0.0], 0.5, 0)];
     stage.lights = vec![light([0.0, 4.0, 0.0], [0.6; 3])];
+    stage
+}
+
+/// A closed room of these white walls, seen from inside, with lights within (even numbers) and without (odd ones). `at` puts the unit
+/// cube where the room is.
+pub fn room(walls: Vec<Triangle>, at: impl Fn([f32; 3]) -> [f32; 3]) -> Stage {
+    let mut stage = Stage::new(view(at([0.25, 0.75, 0.75]), at([0.875, 0.125, 0.125])));
+    stage.materials = vec![white()];
+    stage.triangles = walls;
+    for i in 0..16 {
+        let place = |k: usize| if i >> k & 1 == 0 { 0.0625 } else { 0.9375 };
+        let within = [place(0), place(1), if i < 8 { place(2) } else { 0.5 }];
+        let mut without = within;
+        without[i % 3] = if i % 2 == 0 { -0.0625 } else { 1.0625 };
+        stage.lights.extend([light(at(within), [0.1; 3]), light(at(without), [0.1; 3])]);
+    }
     stage
 }
 
