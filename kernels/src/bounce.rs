@@ -6,10 +6,10 @@ use parallax_shared::camera;
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::{RayCounts, Record, Row, SceneInfo, Surface, Triangle, View};
 use parallax_shared::scene::SceneView;
-use parallax_shared::shading::bounce::light_from;
+use parallax_shared::shading::bounce::{is_whole, light_from};
 
-/// Adds to each pixel's colour (`local`, of the pass `shade`) what its surface reflects and refracts.
-/// `counts` has these rays only.
+/// Adds what surfaces reflect and refract to the colours that are not whole (`local`, of the pass `shade`); `counts` has the rays for it.
+/// Pixels whose colours are whole get neither, and cost no more than the look at their colours.
 #[spirv(compute(threads(8, 8, 1)))]
 pub fn bounce(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -27,10 +27,13 @@ pub fn bounce(
 ) {
     if id.x < view.width && id.y < view.rows {
         let pixel = id.y * view.width + id.x;
-        let scene = SceneView { info, rows, triangles, records, texels, effects: Effects(effects) };
-        let dir = camera::pixel_direction(view, id.x, view.first_row + id.y);
-        let (added, rays) = light_from(&scene, &surfaces.at(pixel), dir);
-        colours.put(pixel, (Vec4::from_array(local.at(pixel)) + added.extend(0.0)).to_array());
-        counts.put(pixel, rays);
+        let own = local.at(pixel);
+        if !is_whole(&own) {
+            let scene = SceneView { info, rows, triangles, records, texels, effects: Effects(effects) };
+            let dir = camera::pixel_direction(view, id.x, view.first_row + id.y);
+            let (added, rays) = light_from(&scene, &surfaces.at(pixel), dir);
+            colours.put(pixel, (Vec4::from_array(own) + added.extend(1.0)).to_array());
+            counts.put(pixel, rays);
+        }
     }
 }

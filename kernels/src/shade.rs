@@ -6,9 +6,10 @@ use parallax_shared::camera;
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Record, SceneInfo, Surface, View};
 use parallax_shared::scene::SceneView;
-use parallax_shared::shading::shadow;
+use parallax_shared::shading::{bounce::marked, shadow};
 
-/// The linear colour of each pixel by ambient light and the lights that it sees, or the sky's. The fourth word is 1.
+/// The linear colour of each pixel by ambient light and the lights that it sees, or the sky's. The fourth word is 1 where
+/// that is all, and 0 where the pass `bounce` adds to it.
 #[spirv(compute(threads(8, 8, 1)))]
 pub fn shade(
     #[spirv(global_invocation_id)] id: UVec3,
@@ -26,7 +27,8 @@ pub fn shade(
         let scene = SceneView { info, rows: &[], triangles: &[], records, texels, effects: Effects(effects) };
         let first = pixel * shadow::words(info.lights);
         let dir = camera::pixel_direction(view, id.x, view.first_row + id.y);
-        let colour = shadow::shade(&scene, &surfaces.at(pixel), dir, |word| seen.at(first + word));
-        colours.put(pixel, colour.extend(1.0).to_array());
+        let surface = surfaces.at(pixel);
+        let colour = shadow::shade(&scene, &surface, dir, |word| seen.at(first + word));
+        colours.put(pixel, marked(&scene, &surface, colour));
     }
 }

@@ -1,12 +1,19 @@
 //! What a pixel pays for what it does not see: no ray for a light that it does not face or for a mirror that does not show there, and
 //! not a bit of its colour. What looking costs is counted by `instructions`: effects are those of a scene, so that one mirror lets the
-//! pass `bounce` run over all pixels, which reads a surface and a material and writes a colour for each.
+//! passes `bounce` and, in second views, `inherit` run over all pixels; they write where a colour is not whole, and read nothing but
+//! that of the others.
 
 use glam::Vec3;
-use parallax_shared::layout::NONE;
+use parallax::backend::{Backend, Cpu, Profile};
+use parallax::build::{Quality, build};
+use parallax_kernels::{bounce::Bounce, stereo::inherit::Inherit};
+use parallax_shared::layout::{NONE, Surface};
+use parallax_shared::shading::bounce::is_whole;
+use parallax_shared::stereo::source;
 use parallax_tests::far_things::{LIGHTS, plain, with_light, with_mirror};
-use parallax_tests::small_scenes::render;
-use parallax_tests::stage::Stages;
+use parallax_tests::gpu::{Driver, open};
+use parallax_tests::small_scenes::{everything, render};
+use parallax_tests::stage::{Stage, Stages};
 
 /// Whether a pixel took the same rays and has the same colour, bit for bit.
 fn is_untouched(before: &Stages, after: &Stages, pixel: usize) -> bool {
@@ -63,5 +70,82 @@ fn what_is_seen_is_told_apart() {
     for after in [render(&with_light()), render(&with_mirror())] {
         let touched = (0..before.hits.len()).filter(|&pixel| !is_untouched(&before, &after, pixel)).count();
         assert!(touched > 10, "{touched}");
+    }
+}
+
+/// What the passes `inherit` and `bounce` leave in new buffers: surfaces and colours, of a second view that is the first one, with every
+/// other pixel reused. And what those buffers had before.
+fn left_behind<B: Backend>(backend: &mut B, stage: &Stage, stages: &Stages, all: u32) -> [Vec<u32>; 4] {
+    let bvh = build(&stage.triangles, &stage.spheres, &stage.ellipsoids, Quality::default()).unwrap();
+    let (view, info, effects) = (stage.view, stage.info(bvh.extent), stage.effects().0);
+    let word = |pixel: u32| match pixel % 2 {
+        0 => source::from_column(source::REUSED, pixel % view.width),
+        _ => source::traced(source::HOLE),
+    };
+    let pixels = stages.hits.len();
+    let words: Vec<u32> = (0..pixels as u32).map(word).collect();
+    let rows = backend.upload("rows", &bvh.rows).unwrap();
+    let triangles = backend.upload("triangles", &stage.triangles).unwrap();
+    let records = backend.upload("records", &stage.records()).unwrap();
+    let texels = backend.upload("texels", &stage.texels).unwrap();
+    let source = backend.upload("source", &words).unwrap();
+    let source_surfaces = backend.upload("source surfaces", &stages.surfaces).unwrap();
+    let hits = backend.upload("hits", &stages.hits).unwrap();
+    let local = backend.upload("local", &stages.local).unwrap();
+    let surfaces = backend.create::<Surface>("surfaces", pixels).unwrap();
+    let colours = backend.create::<[f32; 4]>("colours", pixels).unwrap();
+    let counts = backend.create("counts", pixels).unwrap();
+    let before = (backend.read(surfaces).unwrap(), backend.read(colours).unwrap());
+    let inherit = Inherit {
+        view,
+        info,
+        all,
+        triangles,
+        records,
+        source,
+        source_surfaces,
+        hits,
+        colours: local,
+        surfaces,
+        effects,
+    };
+    let bounce =
+        Bounce { view, info, rows, triangles, records, texels, surfaces, local, colours, counts, effects };
+    backend.run(&inherit, [view.width, view.rows, 1]).unwrap();
+    backend.run(&bounce, [view.width, view.rows, 1]).unwrap();
+    let after = (backend.read(surfaces).unwrap(), backend.read(colours).unwrap());
+    [words_of(&before.0), words_of(&before.1), words_of(&after.0), words_of(&after.1)]
+}
+
+fn words_of<T: bytemuck::Pod>(values: &[T]) -> Vec<u32> {
+    bytemuck::cast_slice(values).to_vec()
+}
+
+fn assert_left<B: Backend>(backend: &mut B) {
+    let stage = everything();
+    let stages = render(&stage);
+    let (surfaces, colours) = (words_of(&stages.surfaces), words_of(&stages.colours));
+    let partial = stages.local.iter().filter(|own| !is_whole(own)).count();
+    assert!(partial > 50 && stages.local.len() - partial > 50, "{partial} of {}", stages.local.len());
+    for all in [0, 1] {
+        let [surfaces_before, colours_before, surfaces_after, colours_after] =
+            left_behind(backend, &stage, &stages, all);
+        for (pixel, own) in stages.local.iter().enumerate() {
+            let (of_surface, of_colour) = (16 * pixel..16 * pixel + 16, 4 * pixel..4 * pixel + 4);
+            let inherited = if is_whole(own) && all == 0 { &surfaces_before } else { &surfaces };
+            let bounced = if is_whole(own) { &colours_before } else { &colours };
+            assert_eq!(surfaces_after[of_surface.clone()], inherited[of_surface], "pixel {pixel}");
+            assert_eq!(colours_after[of_colour.clone()], bounced[of_colour], "pixel {pixel}");
+        }
+    }
+}
+
+/// Where a colour is whole, nothing is written; elsewhere surfaces and colours are those of the passes of one view.
+#[test]
+fn passes_write_where_they_have_something_to_add() {
+    assert_left(&mut Cpu::new(0).unwrap());
+    for driver in Driver::SOFTWARE {
+        let Some(mut gpu) = open(driver, Profile::Strict) else { continue };
+        assert_left(&mut gpu);
     }
 }

@@ -44,8 +44,15 @@ const PASSES: [(&str, &[Effects], f64); 5] = [
     ),
 ];
 
-const SHADING: [Effects; 5] =
-    [Effects::LIGHTS, Effects::SPECULAR, Effects::TEXTURES, Effects::CHECKERBOARD, Effects::SKY_MAP];
+/// Reflection: whether the pass `bounce` has something to add.
+const SHADING: [Effects; 6] = [
+    Effects::LIGHTS,
+    Effects::SPECULAR,
+    Effects::REFLECTION,
+    Effects::TEXTURES,
+    Effects::CHECKERBOARD,
+    Effects::SKY_MAP,
+];
 
 /// Twice, as what one round folds decides branches of the next.
 const ROUND: [&str; 4] =

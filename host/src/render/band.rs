@@ -10,7 +10,7 @@ use crate::backend::{Backend, BackendError};
 use kernel_api::Buffer;
 use parallax_kernels::{bounce::Bounce, primary::Primary, shade::Shade, surface::Surface};
 use parallax_shared::layout::{self, Hit, RayCounts, View};
-use parallax_shared::shading::shadow;
+use parallax_shared::shading::{bounce::is_whole, shadow};
 
 /// The names of the views.
 pub const EYES: [&str; 2] = ["left", "right"];
@@ -51,7 +51,7 @@ pub struct Values {
     pub shadow: Vec<u32>,
     /// Words of [`shadow`](Self::shadow) per pixel.
     pub shadow_words: usize,
-    /// Linear colour without reflection and refraction; the fourth word is 1.
+    /// Linear colour without reflection and refraction; the fourth word is 1 where that is all, and 0 where they add to it.
     pub local: Vec<[f32; 4]>,
     /// Primary rays traced.
     pub primary_rays: Vec<RayCounts>,
@@ -89,6 +89,16 @@ impl Values {
         copy.shadow_rays.fill(RayCounts::NONE);
         copy.bounced.iter_mut().for_each(|bounced| bounced.rays.fill(RayCounts::NONE));
         copy
+    }
+}
+
+impl Bounced {
+    /// What is seen, and the rays for it: those of the pass `bounce` where the colours `own` that it was given are not whole. Elsewhere it
+    /// has written nothing, and nothing is to be added.
+    pub(crate) fn to(own: &[[f32; 4]], mut colour: Vec<[f32; 4]>, mut rays: Vec<RayCounts>) -> Self {
+        let whole = own.iter().enumerate().filter(|(_, own)| is_whole(own));
+        whole.for_each(|(pixel, own)| (colour[pixel], rays[pixel]) = (*own, RayCounts::NONE));
+        Self { colour, rays }
     }
 }
 
@@ -146,8 +156,9 @@ impl BounceBuffers {
         stages.run(&bounce, &view)
     }
 
-    pub fn read<B: Backend>(&self, backend: &mut B) -> Result<Bounced, BackendError> {
-        Ok(Bounced { colour: backend.read(self.colours)?, rays: backend.read(self.rays)? })
+    /// What is seen where the colours `own` were given to the pass.
+    pub fn read<B: Backend>(&self, backend: &mut B, own: &[[f32; 4]]) -> Result<Bounced, BackendError> {
+        Ok(Bounced::to(own, backend.read(self.colours)?, backend.read(self.rays)?))
     }
 
     pub fn release<B: Backend>(self, backend: &mut B) {
@@ -197,8 +208,8 @@ impl BandBuffers {
         })
     }
 
-    /// The colours that are seen.
-    pub fn colour(&self) -> Buffer<[f32; 4]> {
+    /// The colours that are seen where the local ones are not whole.
+    pub fn bounced_colours(&self) -> Buffer<[f32; 4]> {
         self.bounced.map_or(self.local, |bounced| bounced.colours)
     }
 
@@ -226,13 +237,14 @@ impl BandBuffers {
 
     /// Everything that the passes have written.
     pub fn read<B: Backend>(&self, backend: &mut B, data: &SceneData) -> Result<Values, BackendError> {
-        let bounced = self.bounced.map(|bounced| bounced.read(backend)).transpose()?;
+        let local = backend.read(self.local)?;
+        let bounced = self.bounced.map(|bounced| bounced.read(backend, &local)).transpose()?;
         Ok(Values {
             hits: backend.read(self.hits)?,
             surfaces: backend.read(self.surfaces)?,
             shadow: backend.read(self.shadow)?,
             shadow_words: shadow::words(data.info.lights) as usize,
-            local: backend.read(self.local)?,
+            local,
             primary_rays: backend.read(self.primary_rays)?,
             shadow_rays: backend.read(self.shadow_rays)?,
             bounced,

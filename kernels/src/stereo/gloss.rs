@@ -6,7 +6,7 @@ use parallax_shared::camera;
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Record, SceneInfo, Surface, View};
 use parallax_shared::scene::SceneView;
-use parallax_shared::shading::shadow;
+use parallax_shared::shading::{bounce::marked, shadow};
 use parallax_shared::stereo::source::{column, is_reused};
 
 /// Shades the points that the source shows once more, for this eye: nothing specular is copied. Which lights they see is reused.
@@ -34,8 +34,9 @@ pub fn gloss(
             let first = from * shadow::words(info.lights);
             let dir = camera::pixel_direction(view, id.x, view.first_row + id.y);
             let seen = |word| source_seen.at(first + word);
-            let colour = shadow::shade(&scene, &source_surfaces.at(from), dir, seen);
-            colours.put(id.y * view.width + id.x, colour.extend(1.0).to_array());
+            let surface = source_surfaces.at(from);
+            let colour = shadow::shade(&scene, &surface, dir, seen);
+            colours.put(id.y * view.width + id.x, marked(&scene, &surface, colour));
         }
     }
 }

@@ -6,7 +6,7 @@ use parallax_shared::camera;
 use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Hit, RayCounts, Record, Row, SceneInfo, Triangle, View};
 use parallax_shared::scene::SceneView;
-use parallax_shared::shading::{shadow::direct, surface::reconstruct};
+use parallax_shared::shading::{bounce::marked, shadow::direct, surface::reconstruct};
 use parallax_shared::stereo::source::is_reused;
 
 /// What the passes `surface`, `shadow` and `shade` do, for the pixels that were traced; others keep what they have. `counts` has the
@@ -33,7 +33,7 @@ pub fn light(
             let ray = camera::primary_ray(view, id.x, view.first_row + id.y);
             let surface = reconstruct(&scene, &ray, hits.at(pixel), view.interaxial_px);
             let (colour, rays) = direct(&scene, &surface, ray.dir.into(), |_, _| {});
-            colours.put(pixel, colour.extend(1.0).to_array());
+            colours.put(pixel, marked(&scene, &surface, colour));
             counts.put(pixel, rays);
         }
     }

@@ -20,6 +20,28 @@ const PENDING: usize = MAX_DEPTH as usize + 1;
 /// A ray that would change no component of the pixel by more than this times what it sees is not traced.
 const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
+/// `colour`, which `surface` sends by itself, with a fourth word that says whether that is all: 1, or 0 where [`light_from`] may add
+/// something, so that nothing but this word has to be read of all other pixels.
+#[inline(always)]
+pub fn marked(scene: &SceneView<'_>, surface: &Surface, colour: Vec3) -> [f32; 4] {
+    let bounces = scene.effects.has(Effects::REFLECTION)
+        && scene.info.max_depth > 0
+        && surface.prim_id != NONE
+        && reflects(&light::material_of(scene, surface));
+    colour.extend(if bounces { 0.0 } else { 1.0 }).to_array()
+}
+
+/// Whether a colour that is [`marked`] is all that is seen.
+#[inline(always)]
+pub fn is_whole(colour: &[f32; 4]) -> bool {
+    colour[3] != 0.0
+}
+
+#[inline(always)]
+fn reflects(material: &Material) -> bool {
+    material.reflection > 0.0 || material.transmission > 0.0
+}
+
 /// A ray of the tree that has not been traced yet.
 #[derive(Clone, Copy)]
 struct Pending {
@@ -94,8 +116,7 @@ fn spawn(
     pending: &mut Stack<Pending, PENDING>,
     counts: &mut RayCounts,
 ) {
-    if depth >= min_depth(scene.info.max_depth) || !(material.reflection > 0.0 || material.transmission > 0.0)
-    {
+    if depth >= min_depth(scene.info.max_depth) || !reflects(material) {
         return;
     }
     let normal = facing_normal(seen, dir);

@@ -6,10 +6,9 @@
 use parallax::backend::cpu::instruction_set::{InstructionSet, Task};
 use parallax::build::{Bvh, Quality, build};
 use parallax_shared::camera::primary_ray;
-use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Hit, Ray, Reprojection, View};
 use parallax_shared::scene::SceneView;
-use parallax_shared::shading::bounce::light_from;
+use parallax_shared::shading::bounce::{is_whole, light_from, marked};
 use parallax_shared::shading::shadow;
 use parallax_shared::shading::surface::reconstruct;
 use parallax_shared::stereo::run::{RUN, Run};
@@ -79,8 +78,8 @@ impl Task for Pixels<'_> {
             let (surface, dir) = (reconstruct(&scene, &ray, hit, view.interaxial_px), ray.dir.into());
             let mut seen = 0;
             black_box(shadow::trace(&scene, &surface, |_, bits| seen = bits));
-            black_box(shadow::shade(&scene, &surface, dir, |_| seen));
-            if scene.effects.has(Effects::REFLECTION) {
+            let colour = marked(&scene, &surface, shadow::shade(&scene, &surface, dir, |_| seen));
+            if !is_whole(&black_box(colour)) {
                 black_box(light_from(&scene, &surface, dir));
             }
         }

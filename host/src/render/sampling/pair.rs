@@ -45,7 +45,8 @@ impl SampledPair<'_> {
         let SampledBuffers { source, second, inference, .. } = self.buffers;
         let view = &self.views[1];
         if self.plan.options.method == Method::Ideal {
-            let copy = Copy { colours: source.colours, copied: second.colours };
+            let (local, colours, copied) = (source.colours, source.colours, second.colours);
+            let copy = Copy { local, colours, copied };
             return stages.run_over(&copy, [view.width * view.rows, 1, 1]);
         }
         if let Some(inference) = inference {

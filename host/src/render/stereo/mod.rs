@@ -140,8 +140,8 @@ impl SecondView<'_> {
         let Self { plan, data, scene, source, second, view } = *self;
         if plan.options.method == Method::Ideal {
             let pixels = view.width * view.rows;
-            return stages
-                .run_over(&Copy { colours: source.colour(), copied: second.colours }, [pixels, 1, 1]);
+            let (local, colours, copied) = (source.local, source.bounced_colours(), second.colours);
+            return stages.run_over(&Copy { local, colours, copied }, [pixels, 1, 1]);
         }
         let p = tables::fill(plan, &second.tables, plan.of_band(view.rows), source.hits, stages)?;
         self.find(p, stages)?;
@@ -151,42 +151,26 @@ impl SecondView<'_> {
         let Some(surfaces) = second.surfaces else { return Ok(()) };
         self.inherit(surfaces, stages)?;
         let Some(bounced) = second.bounced else { return Ok(()) };
-        let (surfaces, local) = self.recall(surfaces, stages)?;
+        let local = self.recall(stages)?;
         bounced.run(data, scene, view, surfaces, local, stages)
     }
 
-    /// The surfaces and colours that the pass `bounce` starts from: what the source's reflections serve is left out of the first and
-    /// part of the second.
-    fn recall<B: Backend>(
-        &self,
-        surfaces: Buffer<Surface>,
-        stages: &mut Stages<'_, '_, B>,
-    ) -> Result<(Buffer<Surface>, Buffer<[f32; 4]>), BackendError> {
+    /// The colours that the pass `bounce` starts from: those that the source's reflections serve are whole.
+    fn recall<B: Backend>(&self, stages: &mut Stages<'_, '_, B>) -> Result<Buffer<[f32; 4]>, BackendError> {
         let Self { plan, data, source: first, second, view, .. } = *self;
         let local = second.colours;
-        let (Reflections::Within(degrees), Some((remaining, recalled))) =
-            (plan.options.reflections, second.recalled)
+        let (Reflections::Within(degrees), Some(recalled)) = (plan.options.reflections, second.recalled)
         else {
-            return Ok((surfaces, local));
+            return Ok(local);
         };
         let [eye, _] = plan.options.first.eyes();
         let source_view = View { first_row: view.first_row, rows: view.rows, ..data.views[eye] };
-        let (source, source_local, source_colours) = (second.source, first.local, first.colour());
+        let (source, source_local, source_colours) = (second.source, first.local, first.bounced_colours());
         let cos_limit = f64::from(degrees).to_radians().cos() as f32;
-        let recall = Recall {
-            source_view,
-            view,
-            cos_limit,
-            source,
-            source_local,
-            source_colours,
-            surfaces,
-            local,
-            remaining,
-            recalled,
-        };
+        let recall =
+            Recall { source_view, view, cos_limit, source, source_local, source_colours, local, recalled };
         stages.run(&recall, &view)?;
-        Ok((remaining, recalled))
+        Ok(recalled)
     }
 
     /// What each pixel shows.
@@ -222,7 +206,8 @@ impl SecondView<'_> {
         stages.run(&gloss, &view)
     }
 
-    /// Surfaces of all pixels and, where nothing is reused of the source's shadows, what they look like.
+    /// Surfaces, of all pixels if they are wanted or shaded here, else of those that reflect; and, where nothing is reused of the source's
+    /// shadows, what they look like.
     fn inherit<B: Backend>(
         &self,
         surfaces: Buffer<Surface>,
@@ -232,11 +217,24 @@ impl SecondView<'_> {
         let SceneBuffers { triangles, records, texels, .. } = *scene;
         let (info, effects) = (data.info, data.effects.0);
         let (source, source_surfaces, hits) = (second.source, first.surfaces, second.hits);
-        let inherit =
-            Inherit { view, info, triangles, records, source, source_surfaces, hits, surfaces, effects };
+        let all = (plan.everything || second.seen.is_some()).into();
+        let colours = second.colours;
+        let inherit = Inherit {
+            view,
+            info,
+            all,
+            triangles,
+            records,
+            source,
+            source_surfaces,
+            hits,
+            colours,
+            surfaces,
+            effects,
+        };
         stages.run(&inherit, &view)?;
         let Some(seen) = second.seen else { return Ok(()) };
-        let (counts, colours) = (second.light_rays, second.colours);
+        let counts = second.light_rays;
         let shadows = shadows::Shadows { view, surfaces, seen, counts };
         match first.proofs {
             Some(proofs) => {

@@ -39,8 +39,8 @@ pub struct SecondBuffers {
     /// Where shadows are traced.
     pub(super) seen: Option<Buffer<u32>>,
     pub(super) bounced: Option<BounceBuffers>,
-    /// Surfaces that are left to the pass `bounce` and colours with what was recalled, where reflections are reused.
-    pub(super) recalled: Option<(Buffer<Surface>, Buffer<[f32; 4]>)>,
+    /// Colours with what was recalled, where reflections are reused.
+    pub(super) recalled: Option<Buffer<[f32; 4]>>,
 }
 
 impl SecondBuffers {
@@ -55,9 +55,6 @@ impl SecondBuffers {
         let traces = !plan.reuses_shadows();
         let bounces = bounces(data) && plan.options.method != Method::Ideal;
         let recalls = bounces && plan.options.reflections != Reflections::Trace;
-        let recalled = |backend: &mut B| {
-            Ok((backend.create("remaining surfaces", pixels)?, backend.create("recalled colours", pixels)?))
-        };
         let words = pixels * shadow::words(data.info.lights) as usize;
         Ok(Self {
             tables: TableBuffers::create(backend, plan, pixels)?,
@@ -70,7 +67,7 @@ impl SecondBuffers {
                 .transpose()?,
             seen: traces.then(|| backend.create("second shadow bits", words)).transpose()?,
             bounced: bounces.then(|| BounceBuffers::create(backend, pixels)).transpose()?,
-            recalled: recalls.then(|| recalled(backend)).transpose()?,
+            recalled: recalls.then(|| backend.create("recalled colours", pixels)).transpose()?,
         })
     }
 
@@ -93,15 +90,24 @@ impl SecondBuffers {
             primary: u32::from(source::kind(word) != source::REUSED),
             ..RayCounts::NONE
         };
+        let local = backend.read(self.colours)?;
+        let bounced = match (self.bounced, self.recalled) {
+            (None, _) => None,
+            (Some(bounced), None) => Some(bounced.read(backend, &local)?),
+            (Some(bounced), Some(recalled)) => {
+                let recalled = backend.read(recalled)?;
+                Some(bounced.read(backend, &recalled)?)
+            }
+        };
         let values = Values {
             hits: backend.read(self.hits)?,
             surfaces: self.surfaces.map_or(Ok(Vec::new()), |surfaces| backend.read(surfaces))?,
             shadow: self.seen.map_or(Ok(Vec::new()), |seen| backend.read(seen))?,
             shadow_words: source.shadow_words,
-            local: backend.read(self.colours)?,
+            local,
             primary_rays: words.iter().map(primary).collect(),
             shadow_rays,
-            bounced: self.bounced.map(|bounced| bounced.read(backend)).transpose()?,
+            bounced,
         };
         let inferred = Inferred {
             candidates: backend.read(self.tables.candidates)?,
@@ -122,9 +128,6 @@ impl SecondBuffers {
         self.surfaces.into_iter().for_each(|surfaces| backend.release(surfaces));
         self.seen.into_iter().for_each(|seen| backend.release(seen));
         self.bounced.into_iter().for_each(|bounced| bounced.release(backend));
-        if let Some((remaining, recalled)) = self.recalled {
-            backend.release(remaining);
-            backend.release(recalled);
-        }
+        self.recalled.into_iter().for_each(|recalled| backend.release(recalled));
     }
 }

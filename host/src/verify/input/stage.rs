@@ -3,6 +3,7 @@
 use crate::backend::Backend;
 use crate::build::{self, Quality};
 use crate::render::RenderError;
+use crate::render::band::Bounced;
 use parallax_kernels::{
     bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface as SurfacePass,
 };
@@ -239,13 +240,15 @@ impl Stage {
             effects,
         };
         backend.run(&bounce, extent)?;
+        let local = backend.read(local)?;
+        let bounced = Bounced::to(&local, backend.read(colours)?, backend.read(counts[2])?);
         Ok(Stages {
             hits: backend.read(hits)?,
             surfaces: backend.read(surfaces)?,
             seen: backend.read(seen)?,
-            local: backend.read(local)?,
-            colours: backend.read(colours)?,
-            counts: [backend.read(counts[0])?, backend.read(counts[1])?, backend.read(counts[2])?],
+            local,
+            colours: bounced.colour,
+            counts: [backend.read(counts[0])?, backend.read(counts[1])?, bounced.rays],
         })
     }
 }
