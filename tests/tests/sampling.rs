@@ -6,6 +6,8 @@ use parallax::metrics::{mse, srgb8};
 use parallax::render::band::{Band, Pair};
 use parallax::render::stereo::statistics::StereoStatistics;
 use parallax::render::{First, Method, Samples, SceneData, StereoOptions, Verify, render};
+use parallax::scene::Sky;
+use parallax_shared::effects::Effects;
 use parallax_shared::stereo::source::{self, is_reused};
 use parallax_tests::gpu::{Driver, open};
 use parallax_tests::scenes::{data_at, file, load_at};
@@ -245,6 +247,30 @@ fn assert_equal(driver: Driver, runs: usize) {
             for _ in 1..runs {
                 assert!(pair_on(&mut gpu, &data, &options) == first, "{driver:?}, {name}, {options:?}");
             }
+        }
+    }
+}
+
+/// In a matt scene with mirrors the points that reflect nothing are carried over: to the same colours and rays as when the scene is said
+/// to have highlights, so that every point is shaded for its eye.
+#[test]
+fn carried_points_beside_mirrors_look_as_if_they_were_shaded() {
+    let mut scene = load_at(&file("default"), [18, 13]).expect("a scene");
+    scene.materials.iter_mut().for_each(|material| material.specular = 0.0);
+    // The directions of both eyes into the sky are the same but for rounding.
+    scene.sky = Sky::Gradient { zenith: [0.0; 3], horizon: [0.0; 3] };
+    let matt = SceneData::new(&scene, Default::default()).expect("a scene that renders");
+    assert!(matt.effects.has(Effects::REFLECTION) && !matt.effects.has(Effects::SPECULAR));
+    let shining = SceneData { effects: matt.effects.with(Effects::SPECULAR), ..matt.clone() };
+    let mut gpu = open(Driver::Lavapipe, Profile::Strict);
+    for samples in ALL {
+        let options = with(samples, Method::Gather1.into());
+        let shaded = pair(&shining, &options).second;
+        let on_gpu = gpu.as_mut().map(|gpu| pair_on(gpu, &matt, &options));
+        for carried in [Some(pair(&matt, &options)), on_gpu].into_iter().flatten().map(|pair| pair.second) {
+            let pixels = bits(&carried.local).into_iter().zip(bits(&shaded.local));
+            assert_eq!(pixels.filter(|(carried, shaded)| carried != shaded).count(), 0, "{samples:?}");
+            assert!(carried.primary_rays == shaded.primary_rays, "{samples:?}");
         }
     }
 }

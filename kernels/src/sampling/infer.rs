@@ -7,16 +7,18 @@ use parallax_shared::effects::Effects;
 use parallax_shared::layout::{Hit, Record, Row, Sample, SceneInfo, Triangle, View};
 use parallax_shared::sampling::{lattice, sample as point};
 use parallax_shared::scene::SceneView;
-use parallax_shared::shading::{shadow, surface::reconstruct};
+use parallax_shared::shading::{bounce::bounces, shadow, surface::reconstruct};
 use parallax_shared::stereo::source::{VERIFIED, column, is_reused, kind};
 
-/// Shades reused points for this eye, by the light that the source saw; reflections and refractions of them are traced.
+/// Shades reused points for this eye, by the light that the source saw; reflections and refractions of them are traced. With `carried`,
+/// only the points that have any: the others have the samples of the pass `carry`.
 #[spirv(compute(threads(8, 8, 1)))]
 pub fn infer(
     #[spirv(global_invocation_id)] id: UVec3,
     #[spirv(uniform, descriptor_set = 0, binding = 0)] source_view: &View,
     #[spirv(uniform, descriptor_set = 0, binding = 1)] view: &View,
     #[spirv(uniform, descriptor_set = 0, binding = 2)] info: &SceneInfo,
+    #[spirv(push_constant)] carried: &u32,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 3)] rows: &[Row],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 4)] triangles: &[Triangle],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 5)] records: &[Record],
@@ -35,10 +37,12 @@ pub fn infer(
             let from = first + column(word);
             let ray = camera::primary_ray(source_view, column(word), in_picture);
             let surface = reconstruct(&scene, &ray, source_hits.at(from), view.interaxial_px);
-            let dir = camera::pixel_direction(view, x, in_picture);
-            let seen = |word| source_seen.at(from * shadow::words(info.lights) + word);
-            let sample = point::inferred(&scene, &surface, dir, kind(word) == VERIFIED, seen);
-            samples.put(first + x, sample);
+            if *carried == 0 || bounces(&scene, &surface) {
+                let dir = camera::pixel_direction(view, x, in_picture);
+                let seen = |word| source_seen.at(from * shadow::words(info.lights) + word);
+                let sample = point::inferred(&scene, &surface, dir, kind(word) == VERIFIED, seen);
+                samples.put(first + x, sample);
+            }
         }
     }
 }

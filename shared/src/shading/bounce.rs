@@ -20,15 +20,20 @@ const PENDING: usize = MAX_DEPTH as usize + 1;
 /// A ray that would change no component of the pixel by more than this times what it sees is not traced.
 const LEAST_WEIGHT: f32 = 1.0 / 1024.0;
 
-/// `colour`, which `surface` sends by itself, with a fourth word that says whether that is all: 1, or 0 where [`light_from`] may add
-/// something, so that nothing but this word has to be read of all other pixels.
+/// Whether `surface` reflects or refracts, so that [`light_from`] may add something to what it sends by itself.
 #[inline(always)]
-pub fn marked(scene: &SceneView<'_>, surface: &Surface, colour: Vec3) -> [f32; 4] {
-    let bounces = scene.effects.has(Effects::REFLECTION)
+pub fn bounces(scene: &SceneView<'_>, surface: &Surface) -> bool {
+    scene.effects.has(Effects::REFLECTION)
         && scene.info.max_depth > 0
         && surface.prim_id != NONE
-        && reflects(&light::material_of(scene, surface));
-    colour.extend(if bounces { 0.0 } else { 1.0 }).to_array()
+        && reflects(&light::material_of(scene, surface))
+}
+
+/// `colour`, which `surface` sends by itself, with a fourth word that says whether that is all: 0 where it [`bounces`], else 1. Nothing
+/// but this word has to be read of all other pixels.
+#[inline(always)]
+pub fn marked(scene: &SceneView<'_>, surface: &Surface, colour: Vec3) -> [f32; 4] {
+    colour.extend(if bounces(scene, surface) { 0.0 } else { 1.0 }).to_array()
 }
 
 /// Whether a colour that is [`marked`] is all that is seen.

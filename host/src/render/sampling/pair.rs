@@ -147,27 +147,32 @@ impl SampledPair<'_> {
         stages.run_over(&sample, invocations)?;
         let (source_seen, source_samples) = (self.buffers.source.seen, self.buffers.source.samples);
         if !infers {
-            Ok(())
-        } else if plan.options.copies_colours(data) && !bounces(data) {
-            stages.run_over(&Carry { view, words, source_samples, samples }, invocations)
-        } else {
-            let source_view = grid.view(&self.views[0], grid.levels);
-            let infer = Infer {
-                source_view,
-                view,
-                info,
-                rows,
-                triangles,
-                records,
-                texels,
-                words,
-                source_hits,
-                source_seen,
-                samples,
-                effects,
-            };
-            stages.run_over(&infer, invocations)
+            return Ok(());
         }
+        let carries = plan.options.copies_colours(data);
+        if carries {
+            stages.run_over(&Carry { view, words, source_samples, samples }, invocations)?;
+        }
+        if carries && !bounces(data) {
+            return Ok(());
+        }
+        let (source_view, carried) = (grid.view(&self.views[0], grid.levels), carries.into());
+        let infer = Infer {
+            source_view,
+            view,
+            info,
+            carried,
+            rows,
+            triangles,
+            records,
+            texels,
+            words,
+            source_hits,
+            source_seen,
+            samples,
+            effects,
+        };
+        stages.run_over(&infer, invocations)
     }
 
     /// What the middles of pixels show, if that is wanted.

@@ -91,14 +91,9 @@ impl SecondBuffers {
             ..RayCounts::NONE
         };
         let local = backend.read(self.colours)?;
-        let bounced = match (self.bounced, self.recalled) {
-            (None, _) => None,
-            (Some(bounced), None) => Some(bounced.read(backend, &local)?),
-            (Some(bounced), Some(recalled)) => {
-                let recalled = backend.read(recalled)?;
-                Some(bounced.read(backend, &recalled)?)
-            }
-        };
+        let recalled = self.recalled.map(|recalled| backend.read(recalled)).transpose()?;
+        let own = recalled.as_ref().unwrap_or(&local);
+        let bounced = self.bounced.map(|bounced| bounced.read(backend, own)).transpose()?;
         let values = Values {
             hits: backend.read(self.hits)?,
             surfaces: self.surfaces.map_or(Ok(Vec::new()), |surfaces| backend.read(surfaces))?,
