@@ -96,7 +96,8 @@ fn mutated(words: &[u32], nth: usize) -> Option<Vec<u32>> {
     const OP_TYPE_FLOAT: u32 = 22;
     const OP_CONSTANT: u32 = 43;
     let (mut floats, mut seen) = (Vec::new(), 0);
-    for (at, operation) in instructions(words) {
+    for (at, instruction) in instructions(words) {
+        let operation = instruction[0] & 0xffff;
         if operation == OP_TYPE_FLOAT {
             floats.push(words[at + 1]);
         }

@@ -5,7 +5,7 @@
 
 use glam::Vec3;
 use parallax::backend::{Backend, Cpu, Profile};
-use parallax::build::{Quality, build};
+use parallax::render::SceneBuffers;
 use parallax_kernels::{bounce::Bounce, stereo::inherit::Inherit};
 use parallax_shared::layout::{NONE, Surface};
 use parallax_shared::shading::bounce::is_whole;
@@ -76,18 +76,15 @@ fn what_is_seen_is_told_apart() {
 /// What the passes `inherit` and `bounce` leave in new buffers: surfaces and colours, of a second view that is the first one, with every
 /// other pixel reused. And what those buffers had before.
 fn left_behind<B: Backend>(backend: &mut B, stage: &Stage, stages: &Stages, all: u32) -> [Vec<u32>; 4] {
-    let bvh = build(&stage.triangles, &stage.spheres, &stage.ellipsoids, Quality::default()).unwrap();
-    let (view, info, effects) = (stage.view, stage.info(bvh.extent), stage.effects().0);
+    let (info, scene) = stage.upload(backend).unwrap();
+    let SceneBuffers { rows, triangles, records, texels } = scene;
+    let (view, effects) = (stage.view, stage.effects().0);
     let word = |pixel: u32| match pixel % 2 {
         0 => source::from_column(source::REUSED, pixel % view.width),
         _ => source::traced(source::HOLE),
     };
     let pixels = stages.hits.len();
     let words: Vec<u32> = (0..pixels as u32).map(word).collect();
-    let rows = backend.upload("rows", &bvh.rows).unwrap();
-    let triangles = backend.upload("triangles", &stage.triangles).unwrap();
-    let records = backend.upload("records", &stage.records()).unwrap();
-    let texels = backend.upload("texels", &stage.texels).unwrap();
     let source = backend.upload("source", &words).unwrap();
     let source_surfaces = backend.upload("source surfaces", &stages.surfaces).unwrap();
     let hits = backend.upload("hits", &stages.hits).unwrap();

@@ -4,7 +4,7 @@
 use parallax::backend::Profile;
 use parallax::backend::gpu::{Modules, specialise};
 use parallax_shared::effects::Effects;
-use parallax_tests::gpu;
+use parallax_tests::{gpu, words};
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::process::Command;
@@ -58,7 +58,7 @@ const SHADING: [Effects; 6] = [
 const ROUND: [&str; 4] =
     ["--simplify-instructions", "--ccp", "--eliminate-dead-branches", "--eliminate-dead-code-aggressive"];
 
-/// The words of a pass with these effects, optimised, without the header.
+/// The words of a pass with these effects, optimised.
 fn optimised(profile: Profile, pass: &str, effects: Effects) -> Vec<u32> {
     let modules = Modules::embedded(profile);
     let words = specialise(&modules.get(pass).expect("a pass").spirv, &[(0, effects.0)]).unwrap();
@@ -70,31 +70,20 @@ fn optimised(profile: Profile, pass: &str, effects: Effects) -> Vec<u32> {
     let run = command.output().unwrap();
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let module = std::fs::read(out.path()).unwrap();
-    module.chunks_exact(4).skip(5).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect()
-}
-
-/// The instructions among words: each says how many it has.
-fn split(words: &[u32]) -> Vec<&[u32]> {
-    let (mut rest, mut instructions) = (words, Vec::new());
-    while let Some(first) = rest.first() {
-        let (instruction, behind) = rest.split_at((first >> 16).max(1) as usize);
-        instructions.push(instruction);
-        rest = behind;
-    }
-    instructions
+    module.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect()
 }
 
 /// How many instructions are left of a pass with these effects; in the fast profile, whose arithmetic is short.
 fn instructions(pass: &str, effects: Effects) -> usize {
-    split(&optimised(Profile::Fast, pass, effects)).len()
+    words::instructions(&optimised(Profile::Fast, pass, effects)).count()
 }
 
 /// The 32-bit constants that a pass with these effects has.
 fn constants(pass: &str, effects: Effects) -> BTreeSet<u32> {
     const CONSTANT: u32 = 43;
-    let words = optimised(Profile::Strict, pass, effects);
-    let of_32_bits = split(&words).into_iter().filter(|i| i[0] == 4 << 16 | CONSTANT);
-    of_32_bits.map(|instruction| instruction[3]).collect()
+    let module = optimised(Profile::Strict, pass, effects);
+    let of_32_bits = words::instructions(&module).filter(|(_, i)| i[0] == 4 << 16 | CONSTANT);
+    of_32_bits.map(|(_, instruction)| instruction[3]).collect()
 }
 
 fn optimiser_is_there() -> bool {

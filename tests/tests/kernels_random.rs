@@ -4,6 +4,7 @@ use parallax::backend::Profile;
 use parallax_tests::gpu::{self, Driver};
 use parallax_tests::machines::{Case, Machine, Trouble, check_spirv, dispatch};
 use parallax_tests::random_kernels::{Batch, Compiled, check};
+use parallax_tests::words::instructions;
 use std::sync::OnceLock;
 
 /// The fixed set, compiled once.
@@ -54,15 +55,9 @@ fn the_kernels_compute_something() {
 /// Where a module's constants of 32 bits and more than 16 digits are: numbers that are added, multiplied or compared, not bounds of loops.
 fn large_constants(words: &[u32]) -> Vec<usize> {
     const CONSTANT: u32 = 4 << 16 | 43;
-    let mut found = Vec::new();
-    let mut at = 5;
-    while at < words.len() {
-        if words[at] == CONSTANT && (0x0001_0000..0xffff_0000).contains(&words[at + 3]) {
-            found.push(at + 3);
-        }
-        at += ((words[at] >> 16) as usize).max(1);
-    }
-    found
+    let constants = instructions(words).filter(|(_, instruction)| instruction[0] == CONSTANT);
+    let large = constants.filter(|(_, constant)| (0x0001_0000..0xffff_0000).contains(&constant[3]));
+    large.map(|(at, _)| at + 3).collect()
 }
 
 /// One constant changed in a module is told as a difference, with the seed.

@@ -25,7 +25,7 @@ const INVERSE_ROOT: u32 = 32;
 /// The module with every instruction `from` replaced by `to`.
 fn replaced(module: &Module, from: u32, to: u32) -> Module {
     let mut words = module.spirv.to_vec();
-    for (at, _) in instructions(&module.spirv).filter(|(_, operation)| *operation == from) {
+    for (at, _) in instructions(&module.spirv).filter(|(_, instruction)| instruction[0] & 0xffff == from) {
         words[at] = (words[at] & 0xffff_0000) | to;
     }
     Module { spirv: words.into(), wgsl: None }
@@ -34,8 +34,8 @@ fn replaced(module: &Module, from: u32, to: u32) -> Module {
 /// The module with 1/√ in the place of √.
 fn with_inverse_roots(module: &Module) -> Module {
     let mut words = module.spirv.to_vec();
-    let extended = instructions(&module.spirv).filter(|(_, operation)| *operation == EXTENDED);
-    for (at, _) in extended.filter(|(at, _)| module.spirv[at + 4] == ROOT) {
+    let extended = instructions(&module.spirv).filter(|(_, instruction)| instruction[0] & 0xffff == EXTENDED);
+    for (at, _) in extended.filter(|(_, instruction)| instruction[4] == ROOT) {
         words[at + 4] = INVERSE_ROOT;
     }
     Module { spirv: words.into(), wgsl: None }

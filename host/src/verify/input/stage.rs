@@ -2,8 +2,8 @@
 
 use crate::backend::Backend;
 use crate::build::{self, Quality};
-use crate::render::RenderError;
 use crate::render::band::Bounced;
+use crate::render::{RenderError, SceneBuffers};
 use parallax_kernels::{
     bounce::Bounce, primary::Primary, shade::Shade, shadow::Shadow, surface::Surface as SurfacePass,
 };
@@ -194,6 +194,21 @@ impl Stage {
         Effects::of_scene(&self.info(0.0), &self.materials, &self.triangles)
     }
 
+    /// Builds its structure and uploads what the passes read of it.
+    ///
+    /// # Errors
+    /// When it cannot be built, or the backend fails.
+    pub fn upload<B: Backend>(&self, backend: &mut B) -> Result<(SceneInfo, SceneBuffers), RenderError> {
+        let bvh = build::build(&self.triangles, &self.spheres, &self.ellipsoids, Quality::default())?;
+        let buffers = SceneBuffers {
+            rows: backend.upload("rows", &bvh.rows)?,
+            triangles: backend.upload("triangles", &self.triangles)?,
+            records: backend.upload("records", &self.records())?,
+            texels: backend.upload("texels", &self.texels)?,
+        };
+        Ok((self.info(bvh.extent), buffers))
+    }
+
     /// Runs all passes with the effects that the scene calls for.
     pub fn render<B: Backend>(&self, backend: &mut B) -> Result<Stages, RenderError> {
         self.render_with(backend, self.effects())
@@ -205,13 +220,10 @@ impl Stage {
         backend: &mut B,
         Effects(effects): Effects,
     ) -> Result<Stages, RenderError> {
-        let bvh = build::build(&self.triangles, &self.spheres, &self.ellipsoids, Quality::default())?;
-        let (view, info) = (self.view, self.info(bvh.extent));
+        let (info, scene) = self.upload(backend)?;
+        let SceneBuffers { rows, triangles, records, texels } = scene;
+        let view = self.view;
         let pixels = (view.width * view.rows) as usize;
-        let rows = backend.upload("rows", &bvh.rows)?;
-        let triangles = backend.upload("triangles", &self.triangles)?;
-        let records = backend.upload("records", &self.records())?;
-        let texels = backend.upload("texels", &self.texels)?;
         let hits = backend.create("hits", pixels)?;
         let surfaces = backend.create("surfaces", pixels)?;
         let seen = backend.create("seen", pixels * shadow::words(info.lights) as usize)?;
